@@ -536,6 +536,14 @@
         <source>The page with the drift of whole-angle logs against the angle, and what it and the efforts say of the resonator</source>
         <translation>Страница с дрейфом по углу из журналов интегрирующего режима и тем, что он и воздействия говорят о резонаторе</translation>
     </message>
+    <message>
+        <source>A&amp;xis limits…</source>
+        <translation>&amp;Пределы шкалы…</translation>
+    </message>
+    <message>
+        <source>Limits of the value axis of the plot with the focus or under the mouse</source>
+        <translation>Пределы шкалы значений того графика, который выбран с клавиатуры или под указателем</translation>
+    </message>
 </context>
 <context>
     <name>DisplayUnits</name>
@@ -4647,6 +4655,37 @@
     </message>
 </context>
 <context>
+    <name>vybeg::ui::AxisLimitsDialog</name>
+    <message>
+        <source>Limits of the axis of %1</source>
+        <translation>Пределы шкалы %1</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>От</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>До</translation>
+    </message>
+    <message>
+        <source>Empty: as the data are</source>
+        <translation>Пусто: по данным</translation>
+    </message>
+    <message>
+        <source>Empty: as the data are. Fit and Zoom back take the limits away.</source>
+        <translation>Пусто: по данным. «Показать всё» и «Предыдущий масштаб» снимают пределы.</translation>
+    </message>
+    <message>
+        <source>The upper end lies at or below the lower one.</source>
+        <translation>Верхний предел не больше нижнего.</translation>
+    </message>
+    <message>
+        <source>A logarithmic axis begins above zero.</source>
+        <translation>Логарифмическая шкала начинается выше нуля.</translation>
+    </message>
+</context>
+<context>
     <name>vybeg::ui::BatchCommands</name>
     <message>
         <source>Folder of recordings</source>
@@ -5914,6 +5953,18 @@
         <source>What</source>
         <translation>Что</translation>
     </message>
+    <message>
+        <source>Take the offsets from the signals</source>
+        <translation>Взять сдвиги из сигналов</translation>
+    </message>
+    <message>
+        <source>Filter %1 … %2 Hz</source>
+        <translation>Фильтр %1 … %2 Гц</translation>
+    </message>
+    <message>
+        <source>Analyse from %1 s</source>
+        <translation>Обрабатывать с %1 с</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::GyroDialog</name>
@@ -6986,20 +7037,40 @@
         <translation>Резонатор</translation>
     </message>
     <message>
-        <source>Sensitivity: by how much a value would be wrong</source>
-        <translation>Чувствительность: насколько было бы ошибочно значение</translation>
-    </message>
-    <message>
-        <source>Recordings of the set</source>
-        <translation>Записи набора</translation>
-    </message>
-    <message>
         <source>Value</source>
         <translation>Значение</translation>
     </message>
     <message>
         <source>Limits</source>
         <translation>Пределы</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the table</source>
+        <translation>Ctrl+C копирует таблицу</translation>
+    </message>
+    <message>
+        <source>What the wave of each recording did, free of the model</source>
+        <translation>Что делала волна каждой записи, независимо от модели</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Записи</translation>
+    </message>
+    <message>
+        <source>What the wave of each recording did, and what the fit found of it</source>
+        <translation>Что делала волна каждой записи и что о ней нашла подгонка</translation>
+    </message>
+    <message>
+        <source>Frequencies and decay times of both modes</source>
+        <translation>Частоты и времена затухания обеих мод</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Чувствительность</translation>
+    </message>
+    <message>
+        <source>By how much errors of a usual size would falsify a value</source>
+        <translation>Насколько обычные погрешности исказили бы значение</translation>
     </message>
 </context>
 <context>
@@ -7300,6 +7371,22 @@
         <source>Being identified…</source>
         <translation>Идентифицируется…</translation>
     </message>
+    <message>
+        <source>Channel balance</source>
+        <translation>Баланс каналов</translation>
+    </message>
+    <message>
+        <source>Condition (30) of the article, recording by recording</source>
+        <translation>Условие (30) статьи, для каждой записи</translation>
+    </message>
+    <message>
+        <source>Passport</source>
+        <translation>Паспорт</translation>
+    </message>
+    <message>
+        <source>What has changed since the passport was made</source>
+        <translation>Что изменилось после составления паспорта</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::Section</name>
@@ -7354,14 +7441,6 @@
 <context>
     <name>vybeg::ui::SetPanel</name>
     <message>
-        <source>Set of recordings</source>
-        <translation>Набор записей</translation>
-    </message>
-    <message>
-        <source>Recordings of one resonator that are identified together; type here to name them</source>
-        <translation>Записи одного резонатора, которые идентифицируются вместе; чтобы назвать набор, введите имя</translation>
-    </message>
-    <message>
         <source>New set</source>
         <translation>Новый набор</translation>
     </message>
@@ -7372,10 +7451,6 @@
     <message>
         <source>Remove the set; its recordings stay open</source>
         <translation>Убрать набор; его записи остаются открытыми</translation>
-    </message>
-    <message>
-        <source>Recordings of the set</source>
-        <translation>Записи набора</translation>
     </message>
     <message>
         <source>Model</source>
@@ -7422,10 +7497,6 @@
         <translation>Настройки и условия взяты из списка измерений; панель «Обработка» их не меняет.</translation>
     </message>
     <message>
-        <source>The open recordings; those of one resonator are checked</source>
-        <translation>Открытые записи; записи одного резонатора отмечены</translation>
-    </message>
-    <message>
         <source>Drop recordings of one resonator here, best started at four angles</source>
         <translation>Перетащите сюда записи одного резонатора, лучше всего начатые под четырьмя углами</translation>
     </message>
@@ -7452,6 +7523,30 @@
     <message>
         <source>Add logs to the set, take some out, or tell otherwise what they are</source>
         <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Наборы</translation>
+    </message>
+    <message>
+        <source>Sets of recordings</source>
+        <translation>Наборы записей</translation>
+    </message>
+    <message>
+        <source>Each with its recordings: those that are checked are of one resonator and are identified together. A check mark behind their number: identified. F2 names a set; Delete takes a recording or a set away</source>
+        <translation>Каждый со своими записями: отмеченные принадлежат одному резонатору и идентифицируются вместе. Галочка после их числа: набор идентифицирован. F2 — назвать набор; Delete — убрать запись или набор</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 logs</source>
+        <translation>журналов: %1</translation>
+    </message>
+    <message>
+        <source>%1 rec.</source>
+        <translation>%1 зап.</translation>
     </message>
 </context>
 <context>
@@ -7677,6 +7772,10 @@
     <message>
         <source>On: every window starts from the typed values. Off: only the first one, the others from the result of the window before.</source>
         <translation>Включено: каждое окно начинается со своих значений. Выключено: только первое, остальные — с результата предыдущего окна.</translation>
+    </message>
+    <message>
+        <source>of algorithm 5 alone</source>
+        <translation>только для алгоритма 5</translation>
     </message>
 </context>
 <context>

@@ -55,6 +55,13 @@ struct ResidualLine {
     std::optional<Band> filter;
 };
 
+// The widest band-pass about the carrier, settings.f0_hz, that takes out a line at `line_hz`,
+// inside the filter that is in effect. None where the filter takes it out already, or where its
+// transients would take more than a tenth of the recording at either end. Precondition: there is a
+// carrier.
+std::optional<Band> filter_without(double line_hz, const SignalSettings& settings,
+                                   const Recording& recording);
+
 // The residual of one channel: samples less the wave of their window, recording units.
 struct ResidualChannel {
     Moments moments;

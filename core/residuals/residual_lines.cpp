@@ -18,9 +18,8 @@ double rounded_down(double value) {
     return std::floor(value / unit) * unit;
 }
 
-// The widest band-pass about the carrier (settings.f0_hz) that takes out a line, inside the filter
-// that is in effect. None where the filter takes it out already, or where its transients would
-// take more than a tenth of the recording at either end.
+}  // namespace
+
 std::optional<Band> filter_without(double line_hz, const SignalSettings& settings,
                                    const Recording& recording) {
     const double f0 = *settings.f0_hz;
@@ -50,6 +49,8 @@ std::optional<Band> filter_without(double line_hz, const SignalSettings& setting
     }
     return band;
 }
+
+namespace {
 
 // The probability of one line or more in the spectrum of white noise.
 constexpr double false_line_probability = 0.01;

@@ -4,11 +4,23 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/tracks_page.h"
 
+#include <QTabWidget>
 #include <QTest>
 
 #include <numeric>
 
 namespace vybeg::ui {
+
+void bringUp(QWidget& widget) {
+    for (QWidget* around = widget.parentWidget(); around; around = around->parentWidget()) {
+        auto* tabs = qobject_cast<QTabWidget*>(around);
+        for (int tab = 0; tabs && tab < tabs->count(); ++tab) {
+            if (tabs->widget(tab)->isAncestorOf(&widget)) {
+                tabs->setCurrentIndex(tab);
+            }
+        }
+    }
+}
 
 NumberField& fieldOf(const QWidget& window, const QString& accessible_name) {
     for (NumberField* each : window.findChildren<NumberField*>()) {

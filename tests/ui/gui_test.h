@@ -21,6 +21,9 @@ Widget& childOf(const QObject& window, const QString& name = {}) {
     return *widget;
 }
 
+// Chooses the tabs in which a widget lies.
+void bringUp(QWidget& widget);
+
 // The field of a window by its accessible name: it must be there.
 NumberField& fieldOf(const QWidget& window, const QString& accessible_name);
 

@@ -245,6 +245,7 @@ RoundView::RoundView(bool polar, QWidget* parent)
     content_.polar = polar;
     view_->setRenderHint(QPainter::Antialiasing);
     view_->setFrameShape(QFrame::NoFrame);
+    view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes what it gets
     setMinimumSize(180, 180);
     addDrawing(view_);
     layout()->addWidget(legend_);

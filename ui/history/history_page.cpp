@@ -9,7 +9,6 @@
 #include "ui/words/rich_text.h"
 
 #include <QFileInfo>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -156,10 +155,9 @@ void HistoryPage::showHistory() {
             return place < points.size() ? richTip(pointText(view(), points[place])) : QString();
         });
     }
-    distribution_->setContent(distributionPlot(now));
+    distribution_->setContent(besideValues(distributionPlot(now), values_.shown.plot));
     ranges_.plot->setVisible(charts_.one_gyro);
     average_.plot->setVisible(charts_.one_gyro);
-    placeSmallPlots(side_by_side_);
     // A click on a name chooses its result.
     QString verdict = richText(verdictText(now));
     const bool judged = charts_.one_gyro && charts_.control.fault != BaselineFault::too_few;
@@ -312,7 +310,11 @@ FigureSource HistoryPage::figures() const {
 
 namespace {
 
-constexpr int plot_height = 240;
+// At least, pixels.
+constexpr int values_height = 240;
+constexpr int charts_height = 190;
+constexpr int distribution_width = 220;
+
 }  // namespace
 
 QLayout* HistoryPage::buildHead() {
@@ -322,22 +324,6 @@ QLayout* HistoryPage::buildHead() {
 
     choices_ = new HistoryChoices(this);
     return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
-}
-
-// Side by side where all have room for their titles, so that nothing scrolls.
-void HistoryPage::placeSmallPlots(bool side_by_side) {
-    side_by_side_ = side_by_side;
-    int place = 0;
-    for (QWidget* plot :
-         std::initializer_list<QWidget*>{ranges_.plot, average_.plot, distribution_}) {
-        grid_->removeWidget(plot);
-        const bool alone = plot == distribution_ && !charts_.one_gyro;
-        grid_->addWidget(plot, side_by_side ? 3 : 3 + place, side_by_side && !alone ? place : 0, 1,
-                         side_by_side && !alone ? 1 : 3);
-        grid_->setRowStretch(3 + place, place == 0 || !side_by_side ? 2 : 0);
-        grid_->setColumnStretch(place, 1);
-        ++place;
-    }
 }
 
 QWidget* HistoryPage::buildContent() {
@@ -350,21 +336,15 @@ QWidget* HistoryPage::buildContent() {
     });
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
-    values_.plot = addPlot("historyValues", plot_height + 20);
-    ranges_.plot = addPlot("historyRanges", plot_height);
-    average_.plot = addPlot("historyAverage", plot_height);
-    distribution_ = addPlot("historyDistribution", plot_height);
+    values_.plot = addPlot("historyValues", values_height);
+    ranges_.plot = addPlot("historyRanges", charts_height);
+    average_.plot = addPlot("historyAverage", charts_height);
+    distribution_ = addPlot("historyDistribution", values_height);
+    distribution_->setFixedWidth(distribution_width);
     auto* chosen = fill(new QHBoxLayout, {{point_, 1}, {recordings_, 0, Qt::AlignTop}});
-    auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(6, 0, 6, 0);
-    grid->setSpacing(4);
-    grid->addWidget(verdict_, 0, 0, 1, 3);
-    grid->addWidget(values_.plot, 1, 0, 1, 3);
-    grid->addLayout(chosen, 2, 0, 1, 3);
-    grid_ = grid;
-    constexpr int wide = 1100;
-    placeByWidth(*this, wide, true, [this](bool side_by_side) { placeSmallPlots(side_by_side); });
-    grid->setRowStretch(1, 3);
+    auto* values = fill(new QHBoxLayout, {}, 4, {{values_.plot, 1}, distribution_});
+    auto* charts = fill(new QHBoxLayout, {}, 4, {{ranges_.plot, 1}, {average_.plot, 1}});
+    fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {verdict_, {values, 3}, chosen, {charts, 2}});
     return content;
 }
 

@@ -5,7 +5,6 @@
 #include "ui/history/history_export.h"
 #include "ui/plots/measured_page.h"
 
-class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -48,7 +47,6 @@ private:
     void whenShown();
     QLayout* buildHead();
     QWidget* buildContent();
-    void placeSmallPlots(bool side_by_side);
     void connectWidgets();
     void retranslate() override;
 
@@ -71,8 +69,6 @@ private:
     DatabaseJob job(int key) { return {job_, key, document_, path_}; }
 
     Document& document_;
-    QGridLayout* grid_ = nullptr;
-    bool side_by_side_ = true;  // the small plots
     BackgroundJobs job_;
     QString path_;
     bool seen_ = false;

@@ -91,6 +91,8 @@ HistoryPlot valuesPlot(const HistoryView& view);
 HistoryPlot rangesPlot(const HistoryView& view);
 HistoryPlot averagePlot(const HistoryView& view);
 XYPlot distributionPlot(const HistoryView& view);
+// The distribution turned onto the axis of the values, to stand beside them.
+XYPlot besideValues(XYPlot distribution, const XYPlot& values);
 
 // "HRG-17, 2026-03-31, set A".
 QString nameOf(const HistoryPoint& point);

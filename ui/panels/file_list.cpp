@@ -20,8 +20,49 @@ QStringList localFiles(const QMimeData& data) {
     return files;
 }
 
+namespace {
+
+class FileDrop : public QObject {
+public:
+    FileDrop(QAbstractScrollArea& view, std::function<void(const QStringList&)> dropped)
+        : QObject(&view), dropped_(std::move(dropped)) {
+        view.setAcceptDrops(true);
+        view.viewport()->installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const auto type = event->type();
+        if (type != QEvent::DragEnter && type != QEvent::DragMove && type != QEvent::Drop) {
+            return QObject::eventFilter(watched, event);
+        }
+        auto* drag = static_cast<QDropEvent*>(event);
+        const QStringList files = localFiles(*drag->mimeData());
+        drag->setDropAction(Qt::CopyAction);
+        drag->setAccepted(!files.isEmpty());
+        if (type == QEvent::Drop && !files.isEmpty()) {
+            dropped_(files);
+        }
+        return true;
+    }
+
+private:
+    std::function<void(const QStringList&)> dropped_;
+};
+
+}  // namespace
+
+void takeFiles(QAbstractScrollArea& view, std::function<void(const QStringList&)> dropped) {
+    new FileDrop(view, std::move(dropped));
+}
+
+void drawHint(const QAbstractScrollArea& view, const QRect& room, const QString& hint) {
+    QPainter painter(view.viewport());
+    painter.setPen(view.palette().color(QPalette::PlaceholderText));
+    painter.drawText(room.adjusted(8, 2, -8, -2), Qt::AlignCenter | Qt::TextWordWrap, hint);
+}
+
 FileList::FileList(int most_rows, QWidget* parent) : QListWidget(parent), most_rows_(most_rows) {
-    setAcceptDrops(true);
+    takeFiles(*this, [this](const QStringList& files) { emit dropped(files); });
     setTextElideMode(Qt::ElideMiddle);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // beside which no name is shortened
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -46,24 +87,6 @@ void FileList::removeChosen() {
     emit removalWanted(chosenPaths());
 }
 
-void FileList::dragEnterEvent(QDragEnterEvent* event) {
-    if (!localFiles(*event->mimeData()).isEmpty()) {
-        event->setDropAction(Qt::CopyAction);
-        event->accept();
-    }
-}
-
-void FileList::dragMoveEvent(QDragMoveEvent* event) {
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
-}
-
-void FileList::dropEvent(QDropEvent* event) {
-    emit dropped(localFiles(*event->mimeData()));
-    event->setDropAction(Qt::CopyAction);
-    event->accept();
-}
-
 void FileList::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Delete) {
         removeChosen();
@@ -75,10 +98,7 @@ void FileList::keyPressEvent(QKeyEvent* event) {
 void FileList::paintEvent(QPaintEvent* event) {
     QListWidget::paintEvent(event);
     if (count() == 0) {
-        QPainter painter(viewport());
-        painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(viewport()->rect().adjusted(8, 2, -8, -2),
-                         Qt::AlignCenter | Qt::TextWordWrap, hint_());
+        drawHint(*this, viewport()->rect(), hint_());
     }
 }
 

@@ -10,6 +10,11 @@ namespace vybeg::ui {
 // The files of what is dragged from elsewhere.
 QStringList localFiles(const QMimeData& data);
 
+// Lets files be dropped onto a view.
+void takeFiles(QAbstractScrollArea& view, std::function<void(const QStringList&)> dropped);
+// A hint in a part of a view that is empty.
+void drawHint(const QAbstractScrollArea& view, const QRect& room, const QString& hint);
+
 // Files of one kind, which can be dropped there and chosen ones removed with Delete: three lines
 // high, or as many as there are files, up to `most_rows`. An item has its path as Qt::UserRole.
 class FileList : public QListWidget {
@@ -30,9 +35,6 @@ signals:
     void removalWanted(const QStringList& chosen);
 
 protected:
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dragMoveEvent(QDragMoveEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 

@@ -1,7 +1,10 @@
 #include "ui/panels/findings_flag.h"
 
 #include "core/base/diagnostic.h"
+#include "core/base/number_text.h"
+#include "core/residuals/find_residuals.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -20,6 +23,7 @@ namespace vybeg::ui {
 namespace {
 
 const QString fold_link = QStringLiteral("more");
+const QString remedy_link = QStringLiteral("remedy");
 // Limit of rows in the list of events; its title shows their number.
 constexpr std::size_t most_events = 2000;
 
@@ -28,6 +32,50 @@ int findingsIn(const std::vector<Diagnostic>& diagnostics) {
     return static_cast<int>(std::ranges::count_if(diagnostics, [](const Diagnostic& diagnostic) {
         return severity(diagnostic.kind) != Severity::note;
     }));
+}
+
+// What the settings can do about a finding: words of a button, and the settings with it.
+struct Remedy {
+    QString words;
+    Settings settings;
+};
+
+std::optional<Remedy> remedyOf(const Diagnostic& finding, const RecordingEntry& entry,
+                               Settings settings) {
+    switch (finding.kind) {
+        case DiagnosticKind::offset:
+            if (settings.calibration.offset_auto) {
+                return std::nullopt;
+            }
+            settings.calibration.offset_auto = true;
+            return Remedy{FindingsFlag::tr("Take the offsets from the signals"), settings};
+        case DiagnosticKind::mains: {
+            SignalSettings about = settings;
+            about.f0_hz = settings.f0_hz ? settings.f0_hz : entry.f0_hz;
+            const auto line_hz = parse_number(finding.args.front().text);
+            settings.filter = about.f0_hz && line_hz
+                                  ? filter_without(*line_hz, about, *entry.recording)
+                                  : std::nullopt;
+            if (!settings.filter) {
+                return std::nullopt;
+            }
+            return Remedy{FindingsFlag::tr("Filter %1 … %2 Hz")
+                              .arg(numberLabel(settings.filter->low_hz, 0),
+                                   numberLabel(settings.filter->high_hz, 0)),
+                          settings};
+        }
+        case DiagnosticKind::start_transient: {
+            const double end_s =
+                static_cast<double>(finding.first_frame + finding.count) / entry.recording->rate_hz;
+            if (settings.from_s.value_or(0) >= end_s) {
+                return std::nullopt;
+            }
+            settings.from_s = end_s;
+            return Remedy{FindingsFlag::tr("Analyse from %1 s").arg(shortNumberText(end_s, 3)),
+                          settings};
+        }
+        default: return std::nullopt;
+    }
 }
 
 }  // namespace
@@ -56,12 +104,14 @@ void CheckList::setRunning() {
     refresh();
 }
 
-void CheckList::setFindings(const std::vector<Diagnostic>& findings, double rate_hz) {
-    if (!running_ && findings == findings_ && rate_hz == rate_hz_) {
+void CheckList::setFindings(const std::vector<Diagnostic>& findings, double rate_hz,
+                            const QStringList& remedies) {
+    if (!running_ && findings == findings_ && rate_hz == rate_hz_ && remedies == remedies_) {
         return;  // keeps the scroll position of the list
     }
     running_ = false;
     findings_ = findings;
+    remedies_ = remedies;
     rate_hz_ = rate_hz;
     refresh();
 }
@@ -107,8 +157,15 @@ QString CheckList::rowOf(const Diagnostic& finding, const QString& text) const {
                     .arg(finding.count)
                     .arg(tr("%1 s").arg(time));
     }
-    return QStringLiteral("<tr><td align=\"right\">%1</td><td>%2</td></tr>")
-        .arg(place, text.toHtmlEscaped());
+    QString words = text.toHtmlEscaped();
+    const auto at = std::ranges::find(findings_, finding) - findings_.begin();
+    if (const QString remedy = remedies_.value(at); !remedy.isEmpty()) {
+        words += QStringLiteral("<br><a href=\"%1,%2\">%3</a>")
+                     .arg(remedy_link)
+                     .arg(at)
+                     .arg(remedy.toHtmlEscaped());
+    }
+    return QStringLiteral("<tr><td align=\"right\">%1</td><td>%2</td></tr>").arg(place, words);
 }
 
 void CheckList::choose(const QUrl& link) {
@@ -118,6 +175,10 @@ void CheckList::choose(const QUrl& link) {
         return;
     }
     const QStringList place = link.toString().split(QLatin1Char(','));
+    if (place.front() == remedy_link) {
+        emit remedyWanted(place.value(1).toInt());
+        return;
+    }
     emit placeChosen(seconds(place.value(0).toLongLong()), seconds(place.value(1).toLongLong()));
 }
 
@@ -151,11 +212,12 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
         go(item->data(0, Qt::UserRole).toDouble(), item->data(1, Qt::UserRole).toDouble());
     };
     connect(check_, &CheckList::placeChosen, this, go);
+    connect(check_, &CheckList::remedyWanted, this, &FindingsFlag::remedy);
     connect(events_, &QTreeWidget::itemClicked, this, choose);
     connect(events_, &QTreeWidget::itemActivated, this, choose);
     connect(this, &QToolButton::clicked, this, &FindingsFlag::open);
     for (const auto changed : {&Document::recordingsChanged, &Document::currentRecordingChanged,
-                               &Document::analysesChanged}) {
+                               &Document::analysesChanged, &Document::settingsChanged}) {
         connect(&document_, changed, this, &FindingsFlag::refresh);
     }
     connect(&document_, &Document::recordingChanged, this, &FindingsFlag::refresh);
@@ -182,7 +244,12 @@ void FindingsFlag::refresh() {
     }
     std::size_t count = entry ? entry->events.size() : 0;
     if (recording->faults) {
-        check_->setFindings(recording->faults->findings, recording->recording->rate_hz);
+        QStringList remedies;
+        for (const Diagnostic& finding : recording->faults->findings) {
+            const auto found = remedyOf(finding, *recording, document_.settings());
+            remedies << (found ? found->words : QString());
+        }
+        check_->setFindings(recording->faults->findings, recording->recording->rate_hz, remedies);
         count += static_cast<std::size_t>(findingsIn(recording->faults->findings));
     } else {
         check_->setRunning();
@@ -207,6 +274,15 @@ void FindingsFlag::refresh() {
     } else {
         title_->setText(tr("%1: %n event(s)", nullptr, static_cast<int>(entry->events.size()))
                             .arg(entry->shown.name));
+    }
+}
+
+void FindingsFlag::remedy(int finding) {
+    const RecordingEntry& recording = *document_.currentRecording();
+    const auto& findings = recording.faults->findings;
+    if (const auto found = remedyOf(findings.at(static_cast<std::size_t>(finding)), recording,
+                                    document_.settings())) {
+        document_.setSettings(found->settings);
     }
 }
 

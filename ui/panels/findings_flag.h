@@ -5,6 +5,7 @@
 #include "ui/values/ids.h"
 
 #include <QFrame>
+#include <QStringList>
 #include <QToolButton>
 #include <QWidget>
 
@@ -21,7 +22,7 @@ namespace vybeg::ui {
 bool hasFindings(const RecordingEntry& entry);
 
 // Findings of the recording check with their places: the worst, each kind once, or all of them. A
-// click on a place emits its choice.
+// click on a place emits its choice, one on a remedy that this is wanted.
 class CheckList : public QWidget {
     Q_OBJECT
 
@@ -30,10 +31,13 @@ public:
 
     // Shows that the check still runs.
     void setRunning();
-    void setFindings(const std::vector<Diagnostic>& findings, double rate_hz);
+    // `remedies`: what can be done about each, in words; empty: nothing.
+    void setFindings(const std::vector<Diagnostic>& findings, double rate_hz,
+                     const QStringList& remedies = {});
 
 signals:
     void placeChosen(double time_s, double seconds);
+    void remedyWanted(int finding);
 
 private:
     void refresh();
@@ -44,6 +48,7 @@ private:
     QLabel* title_;
     QTextBrowser* list_;
     std::vector<Diagnostic> findings_;
+    QStringList remedies_;
     double rate_hz_ = 1;
     bool running_ = true;
     bool open_ = false;  // each place by itself
@@ -66,6 +71,7 @@ signals:
 private:
     void open();
     void refresh();
+    void remedy(int finding);
     void fillEvents(const AnalysisEntry* entry);
     void retranslate();
 

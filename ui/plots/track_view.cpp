@@ -339,6 +339,34 @@ void TrackView::hoverAt(const QPointF& at) {
     const PlotPanel* panel = stack_.panelAt(at);
     const bool margin = panel && at.x() < panel->rect().left();
     setToolTip(margin ? displayMeaning(panel->variable()) : QString());
+    pointed_ = panel ? std::optional(panel->variable()) : pointed_;
+}
+
+std::optional<SlowVariable> TrackView::chosenVariable() const {
+    const auto focused = std::ranges::find_if(focus_, &PanelFocus::hasFocus);
+    if (focused != focus_.end()) {
+        return (*focused)->variable();
+    }
+    const auto& shown = content_.variables;
+    if (pointed_ && std::ranges::count(shown, *pointed_) > 0) {
+        return pointed_;
+    }
+    return shown.empty() ? std::nullopt : std::optional(shown.front());
+}
+
+AxisRange TrackView::valueRange(SlowVariable variable) const {
+    const PlotPanel* panel = stack_.panel(variable);
+    return panel ? panel->values() : AxisRange();
+}
+
+void TrackView::setValueRange(SlowVariable variable, std::optional<AxisRange> range) {
+    ZoomState state = zoom_.current();
+    if (range) {
+        state.fixed[variable] = *range;
+    } else {
+        state.fixed.erase(variable);
+    }
+    zoom_.visit(std::move(state), Gesture::none);
 }
 
 bool TrackView::takeKey(QKeyEvent* event) {

@@ -60,6 +60,11 @@ public:
     void setCursor(Cursor which, std::optional<double> time_s);
     void moveTracker(std::optional<double> time_s) override;
     void moveCursor(Cursor which, std::optional<double> time_s) override;
+    // The plot that the menu acts on: the one with the focus, else the one under the mouse.
+    std::optional<SlowVariable> chosenVariable() const;
+    // Of its value axis, displayed units; without a range it follows the data. A step of the zoom.
+    AxisRange valueRange(SlowVariable variable) const;
+    void setValueRange(SlowVariable variable, std::optional<AxisRange> range);
     // Instants in rising order, marked by thin lines in all plots: axis crossings, for example.
     void setMarks(std::vector<double> times_s);
     // Fitted curves drawn over the plots, displayed units.
@@ -110,6 +115,7 @@ private:
     std::vector<PanelFocus*> focus_;  // one per plot in the tab order
     std::optional<double> tracker_;
     std::array<std::optional<double>, 2> cursors_;
+    std::optional<SlowVariable> pointed_;  // at the mouse
     // Of the plot in which a drag began.
     std::optional<SlowVariable> press_variable_;
     AxisRange press_values_;

@@ -54,6 +54,10 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
     return {low - spare, high + spare};
 }
 
+QCPAxis::AxisType sideOf(const XYPlot& content, bool y) {
+    return y == content.turned ? QCPAxis::atBottom : QCPAxis::atLeft;
+}
+
 // Axis rectangle with names in the style of the track's plots.
 class XYPanel : public FramedPanel {
 public:
@@ -67,13 +71,13 @@ public:
             side->setTicks(!content.series.empty());
             side->setTickLabels(!content.series.empty());
         }
-        ticker(QCPAxis::atBottom)
+        ticker(sideOf(content, false))
             .setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
-        makeLogarithmic(QCPAxis::atBottom, content.x_logarithmic);
+        makeLogarithmic(sideOf(content, false), content.x_logarithmic);
         if (content.x_is_date && !content.series.empty()) {
             showDates();
         }
-        makeLogarithmic(QCPAxis::atLeft, content.y_logarithmic);
+        makeLogarithmic(sideOf(content, true), content.y_logarithmic);
     }
 
 protected:
@@ -82,10 +86,8 @@ protected:
         if (content_.series.empty()) {
             drawEmpty(*painter, content_.empty);
         }
-        name(*painter, rect().top() - 7, content_.y_name, content_.y_unit, content_.y_takes_prefix,
-             ticker(QCPAxis::atLeft).ticks(), false);
-        name(*painter, rect().bottom() + foot_height - 6, content_.x_name, content_.x_unit, false,
-             ticker(QCPAxis::atBottom).ticks(), true);
+        nameSide(*painter, false);
+        nameSide(*painter, true);
     }
 
 private:
@@ -108,8 +110,13 @@ private:
     }
 
     // At the left end above the plot, or centred below it.
-    void name(QCPPainter& painter, double base, const QString& symbol, const QString& unit,
-              bool takes_prefix, const AxisTicks& ticks, bool centred) const {
+    void nameSide(QCPPainter& painter, bool y) const {
+        const bool centred = sideOf(content_, y) == QCPAxis::atBottom;
+        const double base = centred ? rect().bottom() + foot_height - 6 : rect().top() - 7;
+        const QString& symbol = y ? content_.y_name : content_.x_name;
+        const QString& unit = y ? content_.y_unit : content_.x_unit;
+        const bool takes_prefix = y && content_.y_takes_prefix;
+        const AxisTicks& ticks = ticker(sideOf(content_, y)).ticks();
         const QString text = symbol + ticks.offsetText();
         const QString scaled = scaledUnit(unit, takes_prefix, ticks.exponent);
         constexpr double gap = 8;
@@ -143,8 +150,11 @@ QCPScatterStyle shapeOf(const XYSeries& series, const QPen& pen) {
     return {shapes[shape], QPen(pen.color(), 1.2), QBrush(pen.color()), 5};
 }
 
-void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
-    QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
+// x along the first axis.
+using Axes = std::pair<QCPAxis*, QCPAxis*>;
+
+void addPoints(QCustomPlot& plot, const Axes& axes, const XYSeries& series, const QPen& pen) {
+    QCPGraph* graph = plot.addGraph(axes.first, axes.second);
     graph->setData(vectorOf(series.x), vectorOf(series.y));
     graph->setLineStyle(QCPGraph::lsNone);
     // Thousands of shapes hide each other, and take half a second to draw.
@@ -164,13 +174,13 @@ void addPoints(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, co
     }
 }
 
-void addLine(QCustomPlot& plot, QCPAxisRect& panel, const XYSeries& series, const QPen& pen) {
+void addLine(QCustomPlot& plot, const Axes& axes, const XYSeries& series, const QPen& pen) {
     const auto line = [&](double deviations) {
         QVector<double> y = vectorOf(series.y);
         for (std::size_t k = 0; k < series.sd.size(); ++k) {
             y[static_cast<qsizetype>(k)] += deviations * series.sd[k];
         }
-        QCPGraph* graph = plot.addGraph(panel.axis(QCPAxis::atBottom), panel.axis(QCPAxis::atLeft));
+        QCPGraph* graph = plot.addGraph(axes.first, axes.second);
         graph->setData(vectorOf(series.x), y);
         graph->setPen(deviations == 0 ? pen : QPen(Qt::NoPen));
         graph->setLineStyle(series.steps ? QCPGraph::lsStepCenter : QCPGraph::lsLine);
@@ -245,22 +255,30 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
         strip->setEntries(std::move(entries), Qt::AlignLeft);
         plot.plotLayout()->addElement(row++, 0, strip);
     }
+    while (row < content.legend_rows) {
+        plot.plotLayout()->addElement(row++, 0, new PlotStrip(&plot, legend_height));
+    }
     const QSize room(size.width() - left_margin - right_margin,
                      size.height() - head_height - foot_height - row * legend_height);
     auto* panel = new XYPanel(&plot, content, theme, room);
     plot.plotLayout()->addElement(row, 0, panel);
+    const Axes axes{panel->axis(sideOf(content, false)), panel->axis(sideOf(content, true))};
     for (const XYSeries& series : content.series) {
         const QPen pen = penOf(series, theme);
         if (series.points) {
-            addPoints(plot, *panel, series, pen);
+            addPoints(plot, axes, series, pen);
         } else {
-            addLine(plot, *panel, series, pen);
+            addLine(plot, axes, series, pen);
         }
     }
     const AxisRange x = content.x_range.value_or(rangeOf(content, false));
-    const AxisRange y = content.y_range.value_or(rangeOf(content, true));
-    panel->axis(QCPAxis::atBottom)->setRange(x.lower, x.upper);
-    panel->axis(QCPAxis::atLeft)->setRange(y.lower, y.upper);
+    const AxisRange y = shownValues(content);
+    axes.first->setRange(x.lower, x.upper);
+    axes.second->setRange(y.lower, y.upper);
+}
+
+AxisRange shownValues(const XYPlot& content) {
+    return content.y_range.value_or(rangeOf(content, true));
 }
 
 Drawing xyDrawing(const XYPlot& content) {

@@ -56,9 +56,14 @@ struct XYPlot {
     bool y_takes_prefix = false;
     bool y_logarithmic = false;
     std::optional<AxisRange> y_range{};  // as x_range
+    bool turned = false;                 // x along the left axis, y along the lower one
+    int legend_rows = 0;                 // room above the frame for so many, as of a plot beside it
     std::vector<XYSeries> series{};
     QString empty{};  // text shown without series
 };
+
+// The range of y that is shown.
+AxisRange shownValues(const XYPlot& content);
 
 // Replaces the content of a plot of size `size`.
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size);

@@ -250,12 +250,29 @@ void ResidualsPage::showFound() {
     lines_->setVisible(count > 0);
     numbers_->setVisible(any);
     if (any) {
-        numbers_->setContent({QStringLiteral("C"), QStringLiteral("D")},
-                             residualRows(*found_, unit(), theme().warning));
+        showNumbers();
     }
     showPlots();
     chooseLine(chosen_);
     emit figuresChanged();
+}
+
+// A quantity is a column, a channel a row: as wide as the plots and low.
+void ResidualsPage::showNumbers() {
+    const std::vector<QuantityRow> quantities = residualRows(*found_, unit(), theme().warning);
+    QStringList heads;
+    std::vector<QuantityRow> channels{{QStringLiteral("C"), {}, {}}, {QStringLiteral("D"), {}, {}}};
+    for (const QuantityRow& quantity : quantities) {
+        heads << quantity.name;
+        for (std::size_t k = 0; k < channels.size(); ++k) {
+            channels[k].cells.push_back(quantity.cells[k]);
+        }
+    }
+    numbers_->setContent(heads, channels);
+    for (int column = 0; column < heads.size(); ++column) {
+        numbers_->horizontalHeaderItem(column + 1)
+            ->setToolTip(richTip(quantities[static_cast<std::size_t>(column)].tip));
+    }
 }
 
 QString ResidualsPage::emptyText() const {

@@ -65,6 +65,7 @@ private:
     QString stateText() const;
     QString emptyText() const;
     void showFound();
+    void showNumbers();
     void showPlots();
     void chooseLine(std::optional<std::size_t> line);
     void showLine();

@@ -13,11 +13,12 @@
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -49,25 +50,34 @@ void OutcomeView::setTheme(const Theme& theme) {
 
 NumbersView::NumbersView(QWidget* parent)
     : OutcomeView(parent),
-      findings_(withName(new WarningList(this), "findings")),
       warnings_(withName(new WarningList(this), "warnings")),
-      statistical_(sentence(this, "statistical")),
-      waves_(withName(new QuantityTable(this), "waves")),
       resonator_(withName(new QuantityTable(this), "resonator")),
-      sensitivities_(withName(new QuantityTable(this), "sensitivities")),
+      statistical_(sentence(this, "statistical")),
+      tabs_(withName(new QTabWidget(this), "outcomeTabs")),
+      findings_(withName(new WarningList(this), "findings")),
+      waves_(withName(new QuantityTable(this), "waves")),
+      runs_(withName(new QuantityTable(this), "runs")),
       modes_(withName(new QuantityTable(this), "modes")),
-      runs_(withName(new QuantityTable(this), "runs")) {
+      sensitivities_(withName(new QuantityTable(this), "sensitivities")) {
     statistical_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(statistical_, &QLabel::linkActivated, this, [this](const QString& offer) {
         emit calibrationChosen(offer, foundCalibration(shown_->identification));
     });
-    auto* column = fill(new QVBoxLayout(this), {}, 2, {warnings_});
-    resonator_section_ = addSection(*column, {resonator_, statistical_});
-    waves_section_ = addSection(*column, {waves_, findings_});
-    sensitivities_section_ = addSection(*column, {sensitivities_});
-    modes_section_ = addSection(*column, {modes_});
-    runs_section_ = addSection(*column, {runs_});
+    connect(statistical_, &QLabel::linkActivated, this,
+            [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
+    tabs_->setDocumentMode(true);
+    tabs_->setUsesScrollButtons(false);
+    auto* recordings = new QWidget(this);
+    fill(new QVBoxLayout(recordings), {}, 2, {waves_, findings_, runs_});
+    recordings_tab_ = addTab(recordings);
+    modes_tab_ = addTab(modes_);
+    sensitivities_tab_ = addTab(sensitivities_);
+    fill(new QVBoxLayout(this), {}, 2, {warnings_, resonator_, statistical_, {tabs_, 1}});
     keepTranslated(*this, [this] { retranslate(); });
+}
+
+int NumbersView::addTab(QWidget* content) {
+    return tabs_->addTab(scrolled(fill(new QVBoxLayout, {content, LayoutPart(1)})), QString());
 }
 
 void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
@@ -76,14 +86,18 @@ void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
 }
 
 void NumbersView::rebuild() {
-    setVisible(shown_ != nullptr);
+    for (const int tab : {recordings_tab_, modes_tab_, sensitivities_tab_}) {
+        tabs_->setTabVisible(tab, shown_ != nullptr);
+    }
+    for (QWidget* part : std::initializer_list<QWidget*>{warnings_, resonator_, statistical_}) {
+        part->setVisible(shown_ != nullptr);
+    }
     if (!shown_) {
         return;
     }
     const ResonatorOutcome& outcome = *shown_;
     const Identification& found = outcome.identification;
     const std::vector<Finding> findings = recordingFindings(outcome);
-    const bool has_findings = !findings.empty();
     warnings_->setFindings(findings_of(found.fit.warnings));
     findings_->setFindings(findings);
     waves_->setContent(markedNames(outcome), waveRows(found, units_));
@@ -92,11 +106,12 @@ void NumbersView::rebuild() {
         return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
     });
     waves_->setVisible(has_motion);
-    waves_section_->setVisible(has_motion || has_findings);
     const auto rows = resonatorRows(found, units_, limits_, theme_);
     const QStringList headers{tr("Value"), tr("Limits")};
-    resonator_->setContent(limits_.empty() ? QStringList() : headers, rows);
-    resonator_section_->setVisible(!rows.empty());
+    const bool structured = !rows.empty();
+    resonator_->setContent(structured && !limits_.empty() ? headers : QStringList(),
+                           structured ? rows : modeRows(found.fit));
+    tabs_->setTabVisible(modes_tab_, structured);
     const QString offer = calibrationOffers(foundCalibration(found));
     statistical_->setText(offer.isEmpty()
                               ? uncertaintyText(found)
@@ -107,8 +122,8 @@ void NumbersView::rebuild() {
         changed << indexPlain(header);
     }
     sensitivities_->setContent(changed, sensitivities);
-    sensitivities_section_->setVisible(!sensitivities.empty());
-    modes_section_->setTitle(modesTitle(found.fit));
+    tabs_->setTabVisible(sensitivities_tab_, !sensitivities.empty());
+    tabs_->setTabText(modes_tab_, modesTitle(found.fit));
     modes_->setContent({}, modeRows(found.fit));
     runs_->setContent(markedNames(outcome), runRows(found, units_));
 }
@@ -121,68 +136,50 @@ QString NumbersView::modesTitle(const ResonatorFit& fit) {
 }
 
 void NumbersView::retranslate() {
-    const auto name = [](Section* section, QWidget* widget, const QString& title) {
-        section->setTitle(title);
-        widget->setAccessibleName(title);
+    const auto name = [this](int tab, QWidget* widget, const QString& title, const QString& tip) {
+        tabs_->setTabText(tab, title);
+        tabs_->setTabToolTip(tab, tip);
+        setWords(*widget, title, tip);
     };
-    name(waves_section_, waves_, tr("Motion of the waves"));
-    name(resonator_section_, resonator_, tr("Resonator"));
-    name(sensitivities_section_, sensitivities_,
-         tr("Sensitivity: by how much a value would be wrong"));
-    name(modes_section_, modes_, tr("Modes"));
-    name(runs_section_, runs_, tr("Recordings of the set"));
+    setWords(*resonator_, tr("Resonator"), tr("Ctrl+C copies the table"));
+    setWords(*waves_, tr("Motion of the waves"),
+             tr("What the wave of each recording did, free of the model"));
+    name(recordings_tab_, runs_, tr("Recordings"),
+         tr("What the wave of each recording did, and what the fit found of it"));
+    name(modes_tab_, modes_, tr("Modes"), tr("Frequencies and decay times of both modes"));
+    name(sensitivities_tab_, sensitivities_, tr("Sensitivity"),
+         tr("By how much errors of a usual size would falsify a value"));
     rebuild();
 }
 
-FiguresView::FiguresView(QWidget* parent) : OutcomeView(parent), hint_(sentence(this, "hint")) {
-    plots_ = buildPlots();
+FiguresView::FiguresView(QWidget* parent)
+    : OutcomeView(parent),
+      hint_(sentence(this, "hint")),
+      plots_(new QWidget(this)),
+      rim_name_(sentence(plots_, "")),
+      rim_(withPlot(withName(new RoundView(true, plots_), "rim"))),
+      drift_name_(sentence(plots_, "")),
+      drift_plot_(withPlot(withName(new XYPlotView(plots_), "drift"))),
+      drift_(withName(new QuantityTable(plots_), "harmonics")),
+      balance_(new QWidget(this)),
+      balance_name_(sentence(balance_, "")),
+      balance_axis_(new QComboBox(balance_)),
+      balance_plot_(withPlot(withName(new XYPlotView(balance_), "balance"))) {
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
-    fill(new QVBoxLayout(this), {}, 2, {hint_, plots_});
-    connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
-    keepTranslated(*this, [this] { retranslate(); });
-}
-
-QWidget* FiguresView::buildPlots() {
-    auto* plots = new QWidget(this);
-    auto* grid = new QGridLayout(plots);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(2);
-    for (QLabel** name : {&rim_name_, &drift_name_, &balance_name_}) {
-        *name = sentence(plots, "");
-    }
-    rim_ = withPlot(withName(new RoundView(true, plots), "rim"));
-    rim_->setMinimumSize(240, 300);
-    drift_plot_ = withPlot(withName(new XYPlotView(plots), "drift"));
-    drift_ = withName(new QuantityTable(plots), "harmonics");
-    balance_plot_ = withPlot(withName(new XYPlotView(plots), "balance"));
-    balance_axis_ = new QComboBox(plots);
+    rim_->setMinimumSize(240, 270);
+    constexpr int least_drift_height = 190;
+    drift_plot_->setMinimumHeight(least_drift_height);
+    drift_plot_->setMaximumHeight(QWIDGETSIZE_MAX);
+    fill(new QVBoxLayout(plots_), {}, 2,
+         {rim_name_, {rim_, 3}, drift_name_, {drift_plot_, 2}, drift_});
     balance_axis_->addItems({QString(), QString()});  // in the order of BalanceAxis
     balance_name_->setBuddy(balance_axis_);
-    auto* balance_head = fill(new QHBoxLayout, {{balance_name_, 1}, balance_axis_});
-    grid->addLayout(balance_head, 5, 0, 1, 2);
-    grid->addWidget(balance_plot_, 6, 0, 1, 2);
-    grid_ = grid;
-    constexpr int wide = 620;
-    placeByWidth(*this, wide, true, [this](bool side_by_side) { place(side_by_side); });
-    return plots;
-}
-
-void FiguresView::place(bool side_by_side) {
-    const int span = side_by_side ? 1 : 2;
-    const int drift_row = side_by_side ? 0 : 2;
-    const int drift_column = side_by_side ? 1 : 0;
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{rim_name_, rim_, drift_name_, drift_plot_, drift_}) {
-        grid_->removeWidget(part);
-    }
-    grid_->addWidget(rim_name_, 0, 0, 1, span);
-    grid_->addWidget(rim_, 1, 0, side_by_side ? 2 : 1, span);
-    grid_->addWidget(drift_name_, drift_row, drift_column, 1, span);
-    grid_->addWidget(drift_plot_, drift_row + 1, drift_column, 1, span);
-    grid_->addWidget(drift_, drift_row + 2, drift_column, 1, span, Qt::AlignTop);
-    grid_->setColumnStretch(0, 2);
-    grid_->setColumnStretch(1, 3);
+    auto* head = fill(new QHBoxLayout, {{balance_name_, 1}, balance_axis_});
+    fill(new QVBoxLayout(balance_), {}, 2, {head, balance_plot_});
+    fill(new QVBoxLayout(this), {}, 2, {hint_, {plots_, 1}});
+    connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
+    keepTranslated(*this, [this] { retranslate(); });
 }
 
 FigureSource FiguresView::figures() const {
@@ -199,6 +196,7 @@ void FiguresView::rebuild() {
     const bool structured =
         shown_ && shown_->identification.fit.model == ResonatorModel::structured;
     plots_->setVisible(structured);
+    balance_->setVisible(structured);
     hint_->setVisible(!structured);
     hint_->setText(shown_ ? reasonText({ReasonCode::free_model, {}})
                           : tr("Rim, drift and balance of the channels appear here when the "
@@ -261,9 +259,9 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     limit_label_->setBuddy(limit_);
     fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
     track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
-    auto* column = fill(new QVBoxLayout(this), {}, {});
-    section_ = addSection(*column, {passport_, other_gyro_, limit, differences_, incomparable_,
-                                    track_choice_, tracks_, close_});
+    fill(new QVBoxLayout(this), {}, 2,
+         {passport_, other_gyro_, limit, differences_, incomparable_, track_choice_, tracks_,
+          close_});
     connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
     connect(limit_, &NumberField::valueEdited, this,
             [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
@@ -271,10 +269,6 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
     keepTranslated(*this, [this] { retranslate(); });
-}
-
-void ComparisonView::open() {
-    section_->setOpen(true);
 }
 
 void ComparisonView::rebuild() {
@@ -310,7 +304,6 @@ void ComparisonView::rebuild() {
 }
 
 void ComparisonView::retranslate() {
-    section_->setTitle(tr("Comparison with the passport"));
     differences_->setAccessibleName(tr("Comparison with the passport"));
     limit_label_->setText(tr("Frequencies change from"));
     setWords(

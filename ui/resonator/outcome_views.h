@@ -15,16 +15,15 @@
 #include <vector>
 
 class QComboBox;
-class QGridLayout;
 class QLabel;
 class QPushButton;
+class QTabWidget;
 
 namespace vybeg::ui {
 
 class NumberField;
 class QuantityTable;
 class RoundView;
-class Section;
 class WarningList;
 class XYPlotView;
 
@@ -67,7 +66,8 @@ private:
     std::vector<PlotView*> plots_;
 };
 
-// An identification as tables, with the sentences that belong to them.
+// The parameters of the resonator, of the free model its modes, with what their uncertainties hold;
+// below them, a tab each, tables of what they follow from.
 class NumbersView : public OutcomeView {
     Q_OBJECT
 
@@ -75,6 +75,10 @@ public:
     explicit NumbersView(QWidget* parent = nullptr);
 
     void setLimits(const std::vector<ParameterLimit>& limits);
+    // A further tab, which scrolls; its title is tabs()->setTabText().
+    int addTab(QWidget* content);
+    QTabWidget* tabs() const { return tabs_; }
+    bool isEmpty() const { return !shown_; }
 
 signals:
     // One of calibrationOffers().
@@ -86,23 +90,22 @@ private:
     static QString modesTitle(const ResonatorFit& fit);
 
     std::vector<ParameterLimit> limits_;
-    WarningList* findings_;
     WarningList* warnings_;
-    QLabel* statistical_;
-    QuantityTable* waves_;
     QuantityTable* resonator_;
-    QuantityTable* sensitivities_;
-    QuantityTable* modes_;
+    QLabel* statistical_;
+    QTabWidget* tabs_;
+    WarningList* findings_;
+    QuantityTable* waves_;
     QuantityTable* runs_;
-    Section* waves_section_;
-    Section* resonator_section_;
-    Section* sensitivities_section_;
-    Section* modes_section_;
-    Section* runs_section_;
+    QuantityTable* modes_;
+    QuantityTable* sensitivities_;
+    int recordings_tab_ = 0;
+    int modes_tab_ = 0;
+    int sensitivities_tab_ = 0;
 };
 
-// An identification as figures: the rim, the drift function and the balance of the channels; for
-// the free model, the reason for their absence.
+// An identification as figures: the rim, the drift function with its harmonics and, to be put
+// elsewhere, the balance of the channels; for the free model, the reason for their absence.
 class FiguresView : public OutcomeView {
     Q_OBJECT
 
@@ -110,36 +113,32 @@ public:
     explicit FiguresView(QWidget* parent = nullptr);
 
     FigureSource figures() const;
+    QWidget* balance() const { return balance_; }
 
 private:
-    QWidget* buildPlots();
-    // The rim beside the drift function, or above it where the page is narrow.
-    void place(bool side_by_side);
     void rebuild() override;
     void showBalance();
     void retranslate();
 
     QLabel* hint_;
-    QWidget* plots_ = nullptr;
-    QGridLayout* grid_ = nullptr;
-    QLabel* rim_name_ = nullptr;
-    RoundView* rim_ = nullptr;
-    QLabel* drift_name_ = nullptr;
-    XYPlotView* drift_plot_ = nullptr;
-    QuantityTable* drift_ = nullptr;
-    QLabel* balance_name_ = nullptr;
-    QComboBox* balance_axis_ = nullptr;
-    XYPlotView* balance_plot_ = nullptr;
+    QWidget* plots_;
+    QLabel* rim_name_;
+    RoundView* rim_;
+    QLabel* drift_name_;
+    XYPlotView* drift_plot_;
+    QuantityTable* drift_;
+    QWidget* balance_;
+    QLabel* balance_name_;
+    QComboBox* balance_axis_;
+    XYPlotView* balance_plot_;
 };
 
-// The current set compared with the open passport; hidden without one.
+// The current set compared with the open passport.
 class ComparisonView : public OutcomeView {
     Q_OBJECT
 
 public:
     explicit ComparisonView(Document& document, QWidget* parent = nullptr);
-
-    void open();
 
 private:
     void rebuild() override;
@@ -155,7 +154,6 @@ private:
     QComboBox* track_choice_;
     XYPlotView* tracks_;
     QPushButton* close_;
-    Section* section_;
 };
 
 }  // namespace vybeg::ui

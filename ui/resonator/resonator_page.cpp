@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 #include <QLabel>
 #include <QScrollArea>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace vybeg::ui {
@@ -22,14 +23,18 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       numbers_(new NumbersView(this)),
       figures_(new FiguresView(this)),
       comparison_(new ComparisonView(document, this)) {
-    auto* numbers = fill(new QVBoxLayout, {numbers_, LayoutPart(1)});
-    // Sets, their numbers, and the figures.
+    balance_tab_ = numbers_->addTab(figures_->balance());
+    comparison_tab_ = numbers_->addTab(comparison_);
+    // The sets, their numbers, and the figures.
     constexpr int sets_width = 216;
+    constexpr int least_figures_width = 300;
     auto* left = new QWidget(this);
     left->setFixedWidth(sets_width);
     fill(new QVBoxLayout(left), {}, 0, {set_, state_, LayoutPart(1)});
-    auto* right = fill(new QVBoxLayout, {comparison_, figures_, LayoutPart(1)});
-    fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(numbers), 5}, {scrolled(right), 3}});
+    auto* middle = fill(new QVBoxLayout, {LayoutPart(numbers_, 1)});
+    auto* figures = scrolled(fill(new QVBoxLayout, {LayoutPart(figures_, 1)}));
+    figures->setMinimumWidth(least_figures_width);
+    fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(middle), 5}, {figures, 2}});
     connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(numbers_, &NumbersView::calibrationChosen, this, &ResonatorPage::calibrate);
@@ -39,8 +44,34 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
             [this] { showState(document_.sets().current()); });
     connect(&document_.dossier(), &DossierModel::changed, this,
             [this] { numbers_->setLimits(document_.dossier().dossier().limits); });
+    connect(&document_.sets(), &SetStore::passportChanged, this, &ResonatorPage::showTabs);
     guardFromWheel(*this);
+    retranslate();
+}
+
+void ResonatorPage::retranslate() {
+    QTabWidget& tabs = *numbers_->tabs();
+    tabs.setTabText(balance_tab_, tr("Channel balance"));
+    tabs.setTabToolTip(balance_tab_, tr("Condition (30) of the article, recording by recording"));
+    tabs.setTabText(comparison_tab_, tr("Passport"));
+    tabs.setTabToolTip(comparison_tab_, tr("What has changed since the passport was made"));
     rebuild();
+}
+
+// Those that have something to show.
+void ResonatorPage::showTabs() {
+    QTabWidget& tabs = *numbers_->tabs();
+    tabs.setTabVisible(balance_tab_,
+                       shown_ && shown_->identification.fit.model == ResonatorModel::structured);
+    const bool compared = document_.sets().passport() != nullptr;
+    tabs.setTabVisible(comparison_tab_, compared);
+    numbers_->setVisible(compared || !numbers_->isEmpty());
+    // A bar whose tabs come and go may stand at one that is hidden.
+    for (int tab = 0; tab < tabs.count() && !tabs.isTabVisible(tabs.currentIndex()); ++tab) {
+        if (tabs.isTabVisible(tab)) {
+            tabs.setCurrentIndex(tab);
+        }
+    }
 }
 
 void ResonatorPage::setUnits(const DisplayUnits& units) {
@@ -62,7 +93,7 @@ FigureSource ResonatorPage::figures() const {
 }
 
 void ResonatorPage::showComparison() {
-    comparison_->open();
+    numbers_->tabs()->setCurrentIndex(comparison_tab_);
 }
 
 void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& found) {
@@ -106,6 +137,7 @@ void ResonatorPage::rebuild() {
                      : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
+    showTabs();
     emit figuresChanged();
 }
 

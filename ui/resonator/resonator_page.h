@@ -13,8 +13,8 @@ class NumbersView;
 class SetPanel;
 struct FoundCalibration;
 
-// The resonator of the current set: recordings and numbers at the left, figures and the comparison
-// with a passport at the right.
+// The resonator of the current set: sets at the left, then the parameters with tabs of what they
+// follow from, figures at the right.
 class ResonatorPage : public MeasuredPage {
     Q_OBJECT
 
@@ -30,7 +30,8 @@ public:
 
 private:
     void refresh();
-    void retranslate() override { refresh(); }
+    void retranslate() override;
+    void showTabs();
     void rebuild();
     void calibrate(const QString& offer, const FoundCalibration& found);
     void showState(const RecordingSet* set);
@@ -47,6 +48,8 @@ private:
     NumbersView* numbers_;
     FiguresView* figures_;
     ComparisonView* comparison_;
+    int balance_tab_ = 0;
+    int comparison_tab_ = 0;
 };
 
 }  // namespace vybeg::ui

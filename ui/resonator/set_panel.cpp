@@ -5,20 +5,25 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
+#include "ui/words/short_names.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <set>
 
 namespace vybeg::ui {
 
@@ -51,78 +56,106 @@ QString setName(const Document& document, const RecordingSet& set) {
     return QCoreApplication::translate("SetPanel", "Set %1").arg(set.number);
 }
 
+SetTree::SetTree(QWidget* parent) : QTreeWidget(parent) {
+    setColumnCount(2);
+    setHeaderHidden(true);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    constexpr int step = 14;
+    setIndentation(step);
+    setUniformRowHeights(true);
+    setExpandsOnDoubleClick(false);
+    setEditTriggers(EditKeyPressed | DoubleClicked);
+    setItemDelegate(new NameDelegate(this));
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // beside which no name is shortened
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    for (const auto changed : {&QTreeWidget::itemExpanded, &QTreeWidget::itemCollapsed}) {
+        connect(this, changed, this, [this] { updateGeometry(); });
+    }
+}
+
+int SetTree::rows() const {
+    int count = 0;
+    for (int top = 0; top < topLevelItemCount(); ++top) {
+        const QTreeWidgetItem* item = topLevelItem(top);
+        count += 1 + (item->isExpanded() ? item->childCount() : 0);
+    }
+    return count;
+}
+
+QSize SetTree::sizeHint() const {
+    constexpr int least = 6;
+    constexpr int most = 18;
+    const int row = std::max(sizeHintForRow(0), fontMetrics().height() + 4);
+    return {200, std::clamp(rows(), least, most) * row + 2 * frameWidth()};
+}
+
+std::vector<QTreeWidgetItem*> SetTree::members() const {
+    std::vector<QTreeWidgetItem*> found;
+    for (int top = 0; top < topLevelItemCount(); ++top) {
+        QTreeWidgetItem* item = topLevelItem(top);
+        if (item->type() != set_item) {
+            found.push_back(item);
+        }
+        for (int k = 0; item->font(0).bold() && k < item->childCount(); ++k) {
+            found.push_back(item->child(k));
+        }
+    }
+    return found;
+}
+
+bool SetTree::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    return QTreeWidget::edit(index.siblingAtColumn(0), trigger, event);
+}
+
+void SetTree::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete && currentItem()) {
+        emit removalWanted(currentItem());
+    } else {
+        QTreeWidget::keyPressEvent(event);
+    }
+}
+
+void SetTree::paintEvent(QPaintEvent* event) {
+    QTreeWidget::paintEvent(event);
+    if (members().empty()) {
+        const int top = topLevelItemCount();
+        QRect room = viewport()->rect();
+        room.setTop(top > 0 ? visualItemRect(topLevelItem(top - 1)).bottom() : 0);
+        drawHint(*this, room, hint_());
+    }
+}
+
 SetPanel::SetPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      sets_(withName(new QComboBox(this), "sets")),
-      add_(new QToolButton(this)),
-      remove_(new QToolButton(this)),
-      members_(withName(new FileList(6, this), "members")),
+      title_(new QLabel(this)),
+      add_(withName(new QToolButton(this), "addSet")),
+      remove_(withName(new QToolButton(this), "removeSet")),
+      sets_(withName(new SetTree(this), "sets")),
       listed_(withName(new QLabel(this), "listed")),
       logs_(withName(new QPushButton(this), "editLogs")),
       model_label_(new QLabel(this)),
       model_(withName(new QComboBox(this), "model")),
       identify_(withName(new QPushButton(this), "identify")) {
-    sets_->setEditable(true);
-    sets_->setInsertPolicy(QComboBox::NoInsert);
-    sets_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     add_->setText(QStringLiteral("+"));
     remove_->setText(QStringLiteral("−"));
+    title_->setBuddy(sets_);
     listed_->setWordWrap(true);
     model_label_->setBuddy(model_);
     model_->addItems({QString(), QString(), QString()});
 
-    auto* names = fill(new QHBoxLayout, {{sets_, 1}, add_, remove_});
+    auto* head = fill(new QHBoxLayout, {{title_, 1}, add_, remove_});
     auto* choices = fill(new QHBoxLayout, {model_label_, {model_, 1}});
-    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3,
-         {names, members_, listed_, logs_, choices, identify_});
+    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {head, sets_, listed_, logs_, choices, identify_});
 
-    connect(sets_, &QComboBox::activated, this, [this](int row) {
-        document_.sets().setCurrent(static_cast<SetId>(sets_->itemData(row).toInt()));
-    });
-    connect(sets_->lineEdit(), &QLineEdit::editingFinished, this, [this] {
-        const RecordingSet* set = document_.sets().current();
-        if (set && sets_->lineEdit()->isModified()) {
-            sets_->lineEdit()->setModified(false);
-            document_.sets().rename(set->id, sets_->currentText());
-        }
-    });
+    connectTree();
     connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
     connect(remove_, &QToolButton::clicked, this,
             [this] { document_.sets().remove(document_.sets().current()->id); });
-    members_->setHint([this] {
-        const RecordingSet* set = document_.sets().current();
-        return set && isOfLogs(*set)
-                   ? tr("Drop logs of the resonator here")
-                   : tr("Drop recordings of one resonator here, best started at four angles");
-    });
-    connect(members_, &FileList::dropped, &document_, &Document::openIntoSet);
-    connect(members_, &FileList::removalWanted, this, [this](const QStringList& chosen) {
-        const RecordingSet* set = document_.sets().current();
-        if (set && isOfLogs(*set)) {
-            removeLogs(*set, chosen);
-            return;
-        }
-        for (QListWidgetItem* item : members_->selectedItems()) {
-            item->setCheckState(Qt::Unchecked);
-        }
-    });
     connect(logs_, &QPushButton::clicked, this,
             [this] { document_.askForLogs(document_.sets().current()->id); });
-    connect(members_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        const auto id = static_cast<RecordingId>(item->data(Qt::UserRole).toInt());
-        // Queued, because the response of the document fills the list again.
-        QMetaObject::invokeMethod(
-            this,
-            [this, id, in = item->checkState() == Qt::Checked] {
-                if (in) {
-                    document_.sets().addToCurrent({id});
-                } else if (const RecordingSet* set = document_.sets().current()) {
-                    document_.sets().removeFrom(set->id, {id});
-                }
-            },
-            Qt::QueuedConnection);
-    });
     connect(model_, &QComboBox::activated, this, [this](int index) {
         const RecordingSet* set = document_.sets().current();
         document_.sets().setModel(set ? set->id : document_.sets().add(),
@@ -136,20 +169,76 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     keepTranslated(*this, [this] { retranslate(); });
 }
 
+// What changes the document is queued, because its response fills the tree again.
+void SetPanel::connectTree() {
+    takeFiles(*sets_, [this](const QStringList& files) { document_.openIntoSet(files); });
+    sets_->setHint([this] {
+        const RecordingSet* set = document_.sets().current();
+        return set && isOfLogs(*set)
+                   ? tr("Drop logs of the resonator here")
+                   : tr("Drop recordings of one resonator here, best started at four angles");
+    });
+    connect(sets_, &SetTree::removalWanted, this, &SetPanel::remove);
+    connect(sets_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
+        QMetaObject::invokeMethod(
+            this, [this, id = setOf(item)] { document_.sets().setCurrent(id); },
+            Qt::QueuedConnection);
+    });
+    connect(sets_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item) {
+        if (item->type() == SetTree::set_item) {
+            document_.sets().rename(setOf(item), item->text(0));
+        } else {
+            changeMember(item);
+        }
+    });
+    connect(sets_->itemDelegate(), &QAbstractItemDelegate::closeEditor, this, &SetPanel::refresh,
+            Qt::QueuedConnection);
+}
+
+SetId SetPanel::setOf(const QTreeWidgetItem* item) const {
+    const QTreeWidgetItem* top = item && item->parent() ? item->parent() : item;
+    return top && top->type() == SetTree::set_item
+               ? static_cast<SetId>(top->data(0, Qt::UserRole).toInt())
+               : SetId::none;
+}
+
+void SetPanel::changeMember(const QTreeWidgetItem* item) {
+    const auto id = static_cast<RecordingId>(item->data(0, Qt::UserRole).toInt());
+    QMetaObject::invokeMethod(
+        this,
+        [this, id, set = setOf(item), in = item->checkState(0) == Qt::Checked] {
+            if (!in) {
+                document_.sets().removeFrom(set, {id});
+            } else if (set == SetId::none) {
+                document_.sets().addToCurrent({id});
+            } else {
+                document_.sets().addTo(set, {id});
+            }
+        },
+        Qt::QueuedConnection);
+}
+
+void SetPanel::remove(const QTreeWidgetItem* item) {
+    const RecordingSet* set = document_.sets().find(setOf(item));
+    if (!set) {
+        return;
+    }
+    if (item->type() == SetTree::set_item) {
+        document_.sets().remove(set->id);
+    } else if (item->type() == SetTree::log_item) {
+        removeLog(*set, item->data(0, Qt::UserRole).toString());
+    } else {
+        const auto id = static_cast<RecordingId>(item->data(0, Qt::UserRole).toInt());
+        document_.sets().removeFrom(set->id, {id});
+    }
+}
+
 void SetPanel::refresh() {
     const RecordingSet* set = document_.sets().current();
-    const bool typing = sets_->lineEdit()->hasFocus() && sets_->lineEdit()->isModified();
-    if (!typing) {
-        const QSignalBlocker blocker(sets_);
-        sets_->clear();
-        for (const RecordingSet& each : document_.sets().all()) {
-            sets_->addItem(setName(document_, each), number(each.id));
-        }
-        sets_->setCurrentIndex(set ? sets_->findData(number(set->id)) : -1);
+    if (!sets_->editing()) {
+        showSets();
     }
-    sets_->setEnabled(set != nullptr);
     remove_->setEnabled(set != nullptr);
-    refreshMembers(set);
     const bool of_logs = set && isOfLogs(*set);
     listed_->setVisible(set && set->listed);
     QStringList facts;
@@ -167,13 +256,110 @@ void SetPanel::refresh() {
     identify_->setEnabled(document_.sets().canIdentify());
 }
 
-void SetPanel::removeLogs(const RecordingSet& set, const QStringList& paths) {
+// The chosen row stays chosen, of another set than the current one it becomes that of the current
+// one; what is unfolded stays so.
+void SetPanel::showSets() {
+    const QSignalBlocker quiet(sets_);
+    const QTreeWidgetItem* before = sets_->currentItem();
+    const SetId chosen_set = setOf(before);
+    const int chosen_kind = before ? before->type() : 0;
+    const QVariant chosen = before ? before->data(0, Qt::UserRole) : QVariant();
+    std::set<SetId> unfolded;
+    for (int top = 0; top < sets_->topLevelItemCount(); ++top) {
+        if (sets_->topLevelItem(top)->isExpanded()) {
+            unfolded.insert(setOf(sets_->topLevelItem(top)));
+        }
+    }
+    sets_->clear();
+    const RecordingSet* current = document_.sets().current();
+    for (const RecordingSet& set : document_.sets().all()) {
+        auto* item =
+            new QTreeWidgetItem(sets_, {setName(document_, set), noteOf(set)}, SetTree::set_item);
+        item->setData(0, Qt::UserRole, number(set.id));
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setToolTip(0, plainTip(item->text(0)));
+        QFont font = sets_->font();
+        font.setBold(&set == current);
+        item->setFont(0, font);
+        addMembers(item, &set);
+        item->setExpanded(&set == current || unfolded.contains(set.id));
+        if (&set == current) {
+            sets_->setCurrentItem(item);
+        }
+    }
+    if (!current) {
+        addMembers(sets_->invisibleRootItem(), nullptr);
+    }
+    for (QTreeWidgetItemIterator item(sets_); *item; ++item) {
+        if ((*item)->type() == chosen_kind && (*item)->data(0, Qt::UserRole) == chosen &&
+            setOf(*item) == chosen_set && (!current || chosen_set == current->id)) {
+            sets_->setCurrentItem(*item);
+        }
+    }
+    sets_->updateGeometry();
+}
+
+// Of the current set, or without one, all open recordings; those of the set are checked. Of other
+// sets theirs, of a set of logs these, as they are.
+void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
+    const auto* listed = set && set->listed ? &*set->listed : nullptr;
+    const auto add = [of](const QString& name, const QString& path, const RecordingRef* row,
+                          SetTree::Kind kind) {
+        const auto temperature = row ? row->conditions.temperature_c : std::nullopt;
+        auto* item = new QTreeWidgetItem(
+            of,
+            {name,
+             temperature ? tr("%1 °C").arg(QLocale().toString(*temperature, 'g', 4)) : QString()},
+            kind);
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setFirstColumnSpanned(!temperature);
+        QStringList told{QDir::toNativeSeparators(path)};
+        told += row ? conditionsText(*row) : QStringList();
+        item->setToolTip(0, plainTip(told.join(QLatin1Char('\n'))));
+        return item;
+    };
+    if (set && isOfLogs(*set)) {
+        for (const auto& member : listed->members) {
+            const RecordingRef& log = member.second.row;
+            const QString path = QString::fromStdU16String(log.path.u16string());
+            add(QString::fromStdString(log.name()), path, &log, SetTree::log_item)
+                ->setData(0, Qt::UserRole, path);
+        }
+        return;
+    }
+    for (const RecordingEntry& entry : document_.recordings()) {
+        const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
+        if (!in && set != document_.sets().current()) {
+            continue;
+        }
+        const bool has_row = listed && listed->members.contains(entry.id);
+        auto* item =
+            add(entry.name, entry.path, has_row ? &listed->members.at(entry.id).row : nullptr,
+                SetTree::recording_item);
+        item->setData(0, Qt::UserRole, number(entry.id));
+        item->setCheckState(0, in ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+// How many it has, and whether they are identified as they are.
+QString SetPanel::noteOf(const RecordingSet& set) const {
+    const bool of_logs = isOfLogs(set);
+    const auto count = of_logs ? set.listed->members.size() : set.recordings.size();
+    const QString members = (of_logs ? tr("%1 logs") : tr("%1 rec."))
+                                .arg(QLocale().toString(static_cast<qulonglong>(count)));
+    const auto outcome = document_.sets().outcome(set);
+    const bool found = outcome && !document_.sets().outOfDate(set, *outcome);
+    return found ? members + QStringLiteral(" ✓") : members;
+}
+
+void SetPanel::removeLog(const RecordingSet& set, const QString& path) {
     MeasurementSet other = document_.sets().measured(set);
     std::vector<SignalSettings> signal;
     std::vector<RecordingRef> left;
     for (std::size_t k = 0; k < other.recordings.size(); ++k) {
         const RecordingRef& log = other.recordings[k];
-        if (!paths.contains(QString::fromStdU16String(log.path.u16string()))) {
+        if (QString::fromStdU16String(log.path.u16string()) != path) {
             signal.push_back(other.settings.signal_of(k));
             left.push_back(log);
         }
@@ -185,48 +371,14 @@ void SetPanel::removeLogs(const RecordingSet& set, const QStringList& paths) {
     document_.sets().setLogs(set.id, other);
 }
 
-// All open recordings; those of the set are checked. Of a set of logs these, as they are.
-void SetPanel::refreshMembers(const RecordingSet* set) {
-    const QSignalBlocker quiet(members_);
-    const int row = members_->currentRow();
-    members_->clear();
-    const auto* listed = set && set->listed ? &*set->listed : nullptr;
-    const auto add = [this](const QString& name, const QString& path, const QStringList& told) {
-        auto* item = new QListWidgetItem(name, members_);
-        item->setToolTip(
-            plainTip((QStringList{QDir::toNativeSeparators(path)} + told).join(QLatin1Char('\n'))));
-        return item;
-    };
-    if (set && isOfLogs(*set)) {
-        for (const auto& member : listed->members) {
-            const RecordingRef& log = member.second.row;
-            const QString path = QString::fromStdU16String(log.path.u16string());
-            add(QString::fromStdString(log.name()), path, conditionsText(log))
-                ->setData(Qt::UserRole, path);
-        }
-    } else {
-        for (const RecordingEntry& entry : document_.recordings()) {
-            const bool has_row = listed && listed->members.contains(entry.id);
-            auto* item =
-                add(entry.name, entry.path,
-                    has_row ? conditionsText(listed->members.at(entry.id).row) : QStringList());
-            item->setData(Qt::UserRole, number(entry.id));
-            const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
-            item->setCheckState(in ? Qt::Checked : Qt::Unchecked);
-        }
-    }
-    members_->setCurrentRow(std::min(row, members_->count() - 1));
-    members_->updateGeometry();
-}
-
 void SetPanel::retranslate() {
-    setWords(
-        *sets_, tr("Set of recordings"),
-        tr("Recordings of one resonator that are identified together; type here to name them"));
+    title_->setText(QStringLiteral("<b>%1</b>").arg(tr("Sets")));
+    setWords(*sets_, tr("Sets of recordings"),
+             tr("Each with its recordings: those that are checked are of one resonator and are "
+                "identified together. A check mark behind their number: identified. F2 names a "
+                "set; Delete takes a recording or a set away"));
     setWords(*add_, tr("New set"), tr("New set"));
     setWords(*remove_, tr("Remove the set"), tr("Remove the set; its recordings stay open"));
-    setWords(*members_, tr("Recordings of the set"),
-             tr("The open recordings; those of one resonator are checked"));
     logs_->setText(tr("Logs…"));
     logs_->setToolTip(tr("Add logs to the set, take some out, or tell otherwise what they are"));
     model_label_->setText(tr("Model"));

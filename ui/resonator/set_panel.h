@@ -2,7 +2,12 @@
 
 #include "ui/document/document.h"
 
+#include <QTreeWidget>
 #include <QWidget>
+
+#include <functional>
+#include <utility>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -11,9 +16,40 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-class FileList;
+// The sets, each with its recordings or logs below it. Of the current set all open recordings are
+// there, those of the set checked; without a set they stand alone. As high as its rows, up to a
+// maximum.
+class SetTree : public QTreeWidget {
+    Q_OBJECT
 
-// Recordings of a set and options of their identification.
+public:
+    enum Kind { set_item = QTreeWidgetItem::UserType, recording_item, log_item };
+
+    explicit SetTree(QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    // Of the current set; without a set all.
+    std::vector<QTreeWidgetItem*> members() const;
+    bool editing() const { return state() == EditingState; }
+    // What stands there while the current set has no members, in the language of the window.
+    void setHint(std::function<QString()> hint) { hint_ = std::move(hint); }
+
+signals:
+    void removalWanted(QTreeWidgetItem* item);
+
+protected:
+    // A name, wherever its row is clicked.
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    int rows() const;
+
+    std::function<QString()> hint_;
+};
+
+// The sets with their recordings, and options of their identification.
 class SetPanel : public QWidget {
     Q_OBJECT
 
@@ -21,16 +57,23 @@ public:
     explicit SetPanel(Document& document, QWidget* parent = nullptr);
 
 private:
+    void connectTree();
     void refresh();
-    void refreshMembers(const RecordingSet* set);
-    void removeLogs(const RecordingSet& set, const QStringList& paths);
+    void showSets();
+    void addMembers(QTreeWidgetItem* of, const RecordingSet* set);
+    QString noteOf(const RecordingSet& set) const;
+    // The set of an item; none of a recording beside the sets.
+    SetId setOf(const QTreeWidgetItem* item) const;
+    void changeMember(const QTreeWidgetItem* item);
+    void remove(const QTreeWidgetItem* item);
+    void removeLog(const RecordingSet& set, const QString& path);
     void retranslate();
 
     Document& document_;
-    QComboBox* sets_;
+    QLabel* title_;
     QToolButton* add_;
     QToolButton* remove_;
-    FileList* members_;  // the open recordings, those of the set checked; Delete unchecks
+    SetTree* sets_;
     QLabel* listed_;     // where the settings are from
     QPushButton* logs_;  // asks what the logs of the set are
     QLabel* model_label_;

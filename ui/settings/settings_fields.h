@@ -36,6 +36,8 @@ public:
     explicit SettingsFields(QWidget* parent = nullptr);
 
     void setState(const SettingsState& state);
+    // What is chosen, in a few words, for where the fields are folded away.
+    virtual QString summary() const { return {}; }
     // First field with a fault; null without.
     NumberField* faulty() const;
 

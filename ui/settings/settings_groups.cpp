@@ -337,6 +337,11 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
     begin();
 }
 
+QString StartFields::summary() const {
+    return state().settings.algorithm == Algorithm::conjugate_gradient ? start_->currentText()
+                                                                       : tr("of algorithm 5 alone");
+}
+
 void StartFields::chooseStart(int start) {
     change([&](Settings& settings) {
         settings.start = start == automatic ? StartRule::first : StartRule::previous;
@@ -470,6 +475,16 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
          QT_TR_NOOP("Tolerance of the spread between recordings")},
         &Tolerance::spread, 1, 1e-3);
     begin();
+}
+
+QString CalibrationFields::summary() const {
+    const double kappa = state().settings.calibration.kappa;
+    const auto tolerance = [&](const std::optional<double>& told, ErrorSource source) {
+        return QLocale().toString(told.value_or(assumed_tolerance(source, kappa)), 'g', 3);
+    };
+    return QStringLiteral("κ %1 ± %2, ε ± %3°")
+        .arg(QLocale().toString(kappa, 'g', 6), tolerance(state().tolerance.kappa, kappa_error),
+             tolerance(state().tolerance.skew_deg, skew_error));
 }
 
 void CalibrationFields::addTolerance(const Texts& texts, std::optional<double> Tolerance::*member,

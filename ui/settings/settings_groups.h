@@ -82,6 +82,8 @@ class StartFields : public SettingsFields {
 public:
     explicit StartFields(QWidget* parent = nullptr);
 
+    QString summary() const override;
+
 private:
     enum Start { automatic, previous, typed };
 
@@ -100,6 +102,8 @@ class CalibrationFields : public SettingsFields {
 
 public:
     explicit CalibrationFields(QWidget* parent = nullptr);
+
+    QString summary() const override;
 
 signals:
     void toleranceEdited(const Tolerance& tolerance);

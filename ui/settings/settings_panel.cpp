@@ -152,6 +152,7 @@ void SettingsPanel::refresh() {
     algorithm_->setToolTip(algorithm_->itemData(algorithm, Qt::ToolTipRole).toString());
     for (const Group& group : groups_) {
         group.fields->setState(state);
+        group.section->setNote(group.fields->summary());
     }
     analyse_->setEnabled(state.rate_hz.has_value());
 }

@@ -17,7 +17,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QGridLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -46,7 +45,8 @@ std::optional<std::int64_t> readLength(const QString& text) {
 
 constexpr int job_key = 1;
 
-constexpr int least_plot_height = 250;
+constexpr int least_scatter_height = 210;
+constexpr int least_residual_height = 160;
 constexpr int progress_steps = 1000;
 
 }  // namespace
@@ -364,8 +364,8 @@ QWidget* SweepPage::buildContent() {
     variable_->addItems(QStringList(std::ssize(main_slow_variables)));
     variable_->setCurrentIndex(2);
     copy_ = withName(new QPushButton(content), "sweepCopy");
-    scatter_ = addPlot("sweepScatter", least_plot_height);
-    residual_ = addPlot("sweepResidual", least_plot_height);
+    scatter_ = addPlot("sweepScatter", least_scatter_height);
+    residual_ = addPlot("sweepResidual", least_residual_height);
     advice_ = sentence(content, "sweepAdvice", QMargins());
     point_ = sentence(content, "sweepPoint", QMargins());
     use_ = withName(new QPushButton(content), "sweepUse");
@@ -373,18 +373,10 @@ QWidget* SweepPage::buildContent() {
     auto* choice = fill(new QHBoxLayout, {labelFor(variable_, [] { return tr("Variable"); }),
                                           variable_, LayoutPart(1), copy_});
     auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
-    auto* grid = new QGridLayout(content);
-    grid->setContentsMargins(6, 0, 6, 0);
-    grid->setSpacing(4);
-    grid->addLayout(choice, 0, 0, 1, 2);
-    grid->addWidget(scatter_, 1, 0);
-    grid->addWidget(residual_, 1, 1);
-    grid->addWidget(point_, 2, 0, 1, 2);
-    grid->addLayout(advice, 3, 0, 1, 2);
-    grid->addWidget(table_, 4, 0, 1, 2);
-    grid->setRowStretch(1, 1);
-    grid->setColumnStretch(0, 5);
-    grid->setColumnStretch(1, 3);
+    auto* plots = fill(new QVBoxLayout, {}, 4, {{scatter_, 3}, {residual_, 2}});
+    auto* numbers = fill(new QVBoxLayout, {}, 4, {advice, table_, point_, LayoutPart(1)});
+    auto* both = fill(new QHBoxLayout, {}, 8, {{plots, 2}, {numbers, 3}});
+    fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {choice, {both, 1}});
     return content;
 }
 

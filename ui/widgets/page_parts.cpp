@@ -131,7 +131,7 @@ QScrollArea* scrolled(QWidget* content, QWidget* parent) {
 }
 
 Section::Section(QWidget* content, QWidget* parent)
-    : QWidget(parent), title_(new QToolButton(this)), content_(content) {
+    : QWidget(parent), title_(new QToolButton(this)), note_(new QLabel(this)), content_(content) {
     title_->setCheckable(true);
     title_->setChecked(true);
     title_->setAutoRaise(true);
@@ -143,12 +143,25 @@ Section::Section(QWidget* content, QWidget* parent)
     bold.setBold(true);
     title_->setFont(bold);
 
-    fill(new QVBoxLayout(this), {}, 2, {title_, content_});
+    constexpr int below_the_text = 20;
+    note_->setContentsMargins(below_the_text, 0, 4, 0);
+    note_->setForegroundRole(QPalette::PlaceholderText);
+
+    fill(new QVBoxLayout(this), {}, 2, {title_, note_, content_});
     connect(title_, &QToolButton::clicked, this, &Section::clicked);
-    connect(title_, &QToolButton::toggled, this, [this](bool open) {
-        content_->setVisible(open);
-        title_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-    });
+    connect(title_, &QToolButton::toggled, this, &Section::showParts);
+    showParts();
+}
+
+void Section::showParts() {
+    content_->setVisible(isOpen());
+    note_->setVisible(!isOpen() && !note_->text().isEmpty());
+    title_->setArrowType(isOpen() ? Qt::DownArrow : Qt::RightArrow);
+}
+
+void Section::setNote(const QString& note) {
+    note_->setText(note);
+    showParts();
 }
 
 void Section::setTitle(const QString& title) {

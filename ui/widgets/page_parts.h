@@ -84,6 +84,8 @@ public:
     explicit Section(QWidget* content, QWidget* parent = nullptr);
 
     void setTitle(const QString& title);
+    // What stands below the title while the part is folded away.
+    void setNote(const QString& note);
     void setOpen(bool open) { title_->setChecked(open); }
     bool isOpen() const { return title_->isChecked(); }
 
@@ -92,7 +94,10 @@ signals:
     void clicked();
 
 private:
+    void showParts();
+
     QToolButton* title_;
+    QLabel* note_;
     QWidget* content_;
 };
 

@@ -53,6 +53,7 @@ enum class Command {
     fitted_wave,
     sigma_bands,
     log_a_A,
+    axis_limits,
     analyse,
     live,
     cancel,

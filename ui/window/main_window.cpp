@@ -183,8 +183,8 @@ void MainWindow::buildTopRow() {
     setMenuWidget(row);
     tracks_->setContextMenuPolicy(Qt::ActionsContextMenu);
     for (const Command command :
-         {Command::zoom_fit, Command::zoom_back, Command::log_a_A, Command::sigma_bands,
-          Command::copy_plot, Command::export_plots}) {
+         {Command::zoom_fit, Command::zoom_back, Command::axis_limits, Command::log_a_A,
+          Command::sigma_bands, Command::copy_plot, Command::export_plots}) {
         tracks_->addAction(action(command));
     }
 }
@@ -334,6 +334,16 @@ void MainWindow::showPanels() {
     ledger_->setVisible(needs.ledger);
     times_->setVisible(needs.ledger && !document_.analyses().empty());
     wave_->setVisible(needs.wave && wave);
+    // The row of the times is the ledger's; other pages own the window.
+    if (needs.ledger == statusBar()->isHidden()) {
+        statusBar()->setVisible(needs.ledger);
+        statusBar()->removeWidget(status_);
+        status_->floatOver(needs.ledger ? nullptr : centralWidget());
+        if (needs.ledger) {
+            statusBar()->addWidget(status_, 1);
+            status_->show();
+        }
+    }
     action(Command::sidebar)->setChecked(sidebar_wanted_);
     action(Command::wave)->setChecked(wave);
 }

@@ -7,6 +7,7 @@
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
+#include "ui/window/axis_limits.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
@@ -268,6 +269,13 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
                  units.log_a_A = on_now;
                  w.setUnits(units);
              }},
+        {.id = Command::axis_limits,
+         .text = QT_TR_NOOP("A&xis limits…"),
+         .tip =
+             QT_TR_NOOP("Limits of the value axis of the plot with the focus or under the mouse"),
+         .keys = {QKeySequence(Qt::Key_L)},
+         .enabled = plots,
+         .act = [&w] { askForAxisLimits(*w.tracks_, &w); }},
         {.id = Command::analyse,
          .text = QT_TR_NOOP("&Analyse"),
          .tip = QT_TR_NOOP(

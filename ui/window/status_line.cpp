@@ -19,6 +19,8 @@ namespace {
 // Analyses shorter than this come and go without a progress bar, which would only flicker while a
 // setting is changed.
 constexpr int patience_ms = 250;
+// So long a text stands over a page.
+constexpr int news_ms = 6000;
 
 }  // namespace
 
@@ -35,7 +37,11 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
     fill(new QHBoxLayout(this), {}, {{status_, 1}, time_left_, progress_, cancel_});
     wait_.setSingleShot(true);
     wait_.setInterval(patience_ms);
+    news_.setSingleShot(true);
+    news_.setInterval(news_ms);
+    setAutoFillBackground(true);
     connect(&wait_, &QTimer::timeout, this, &StatusLine::refresh);
+    connect(&news_, &QTimer::timeout, this, &StatusLine::place);
     connect(cancel_, &QPushButton::clicked, this, &StatusLine::cancel);
     connect(&document_, &Document::busyChanged, this, &StatusLine::whenBusyChanged);
     connect(&document_, &Document::progressChanged, this, &StatusLine::refresh);
@@ -75,6 +81,37 @@ void StatusLine::tell(std::function<QString()> text) {
     analysing_ = false;
     text_ = std::move(text);
     status_->setText(text_());
+    news_.start();
+    place();
+}
+
+void StatusLine::floatOver(QWidget* page) {
+    floats_ = page != nullptr;
+    if (floats_) {
+        news_.stop();
+        setParent(page);
+        page->removeEventFilter(this);
+        page->installEventFilter(this);
+        place();
+    }
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        place();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void StatusLine::place() {
+    if (!floats_) {
+        return;
+    }
+    const bool busy = document_.busy() && !wait_.isActive();
+    setVisible(busy || (news_.isActive() && !status_->text().isEmpty()));
+    adjustSize();
+    move(0, parentWidget()->height() - height());
+    raise();
 }
 
 void StatusLine::whenBusyChanged() {
@@ -106,6 +143,7 @@ void StatusLine::refresh() {
         tell([] { return tr("Analysing…"); });
         analysing_ = true;
     }
+    place();
 }
 
 void StatusLine::retranslate() {

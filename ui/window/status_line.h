@@ -14,7 +14,8 @@ namespace vybeg::ui {
 class Document;
 
 // What the status bar shows: news that need no answer, how the last analysis ended, or how far the
-// one under way is, with the button that stops it.
+// one under way is, with the button that stops it. Over a page that owns the window it stands only
+// while it has news.
 class StatusLine : public QWidget {
     Q_OBJECT
 
@@ -23,11 +24,17 @@ public:
 
     QString text() const;
     void cancel();
+    // Over the lower edge of `page`, its parent from now on; null: in its row, which holds it.
+    void floatOver(QWidget* page);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void tell(std::function<QString()> text);
     void whenBusyChanged();
     void refresh();
+    void place();
     void retranslate();
 
     Document& document_;
@@ -37,6 +44,8 @@ private:
     QPushButton* cancel_;
     std::function<QString()> text_;  // a function, so that a change of language reaches it
     QTimer wait_;                    // what takes less than this shows no progress
+    QTimer news_;                    // runs while the text is new
+    bool floats_ = false;
     bool was_busy_ = false;
     bool analysing_ = false;  // is what the text says
     bool cancelled_ = false;

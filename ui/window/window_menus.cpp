@@ -143,7 +143,7 @@ void WindowMenus::addView() {
                {}});
     addVariables(view);
     addUnits(view);
-    add(view, {{Command::log_a_A, Command::sigma_bands},
+    add(view, {{Command::axis_limits, Command::log_a_A, Command::sigma_bands},
                {Command::sidebar, Command::wave, Command::fitted_wave},
                {}});
     addChoice(

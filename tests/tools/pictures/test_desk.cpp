@@ -21,7 +21,7 @@ struct Shares {
 };
 
 // Of the frames of the five plots, and what nothing is drawn in, by the size of the window.
-const std::map<QString, Shares> bounds{{"1280x720", {0.50, 0.087}},
+const std::map<QString, Shares> bounds{{"1280x720", {0.50, 0.08}},
                                        {"1600x1000", {0.52, 0.08}},
                                        {"1920x1080", {0.55, 0.08}},
                                        {"2560x1440", {0.60, 0.08}}};

@@ -8,7 +8,6 @@
 #include "tests/ui/gui_test.h"
 #include "ui/history/history_database.h"
 #include "ui/import/log_dialog.h"
-#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
@@ -23,10 +22,12 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
@@ -134,7 +135,7 @@ private slots:
         QVERIFY(set.recordings.empty() && document().recordings().empty());
         QCOMPARE(setName(document(), set), QString("one.phasors"));
         QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
-        QCOMPARE(childOf<FileList>(*window_, "members").item(0)->text(),
+        QCOMPARE(childOf<SetTree>(*window_, "sets").members().front()->text(0),
                  QString("one.phasors.csv"));
         // As core has it.
         MeasurementSet same;
@@ -183,7 +184,10 @@ private slots:
         acceptAndWait();
         const SetId id = sets().current()->id;
         const QString second = phasors("second", 1.1);
-        emit childOf<FileList>(*window_, "members").dropped({second});
+        QMimeData urls;
+        urls.setUrls({QUrl::fromLocalFile(second)});
+        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &urls, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(childOf<SetTree>(*window_, "sets").viewport(), &dropped);
         opened();
         QCOMPARE(dialog()->files().size(), 2);
         // Nothing is asked again.
@@ -200,18 +204,18 @@ private slots:
         QCOMPARE(sets().measured(*sets().current()).recordings.size(), std::size_t(1));
         QCOMPARE(outcome().identification.runs.size(), std::size_t(1));
         document().undoStack().redo();
-        auto& members = childOf<FileList>(*window_, "members");
-        members.setCurrentRow(0);
-        QTest::keyClick(&members, Qt::Key_Delete);
-        QCOMPARE(members.count(), 1);
-        QCOMPARE(members.item(0)->text(), QString("second.phasors.csv"));
+        auto& tree = childOf<SetTree>(*window_, "sets");
+        tree.setCurrentItem(tree.members().front());
+        QTest::keyClick(&tree, Qt::Key_Delete);
+        QCOMPARE(tree.members().size(), std::size_t(1));
+        QCOMPARE(tree.members().front()->text(0), QString("second.phasors.csv"));
         QVERIFY(sets().outOfDate(*sets().current(), outcome()));
         // Those of the result, whatever the set has by now.
         QCOMPARE(sets().underPresentConditions(*sets().current(), outcome()).set.recordings.size(),
                  outcome().set.recordings.size());
-        members.setCurrentRow(0);
-        QTest::keyClick(&members, Qt::Key_Delete);
-        QCOMPARE(members.count(), 0);
+        tree.setCurrentItem(tree.members().front());
+        QTest::keyClick(&tree, Qt::Key_Delete);
+        QVERIFY(tree.members().empty());
         QVERIFY(!sets().canIdentify());
         document().undoStack().undo();
         // The same logs told otherwise.
@@ -439,7 +443,7 @@ private slots:
         QTRY_COMPARE(document().recordings().size(), std::size_t(1));
         QVERIFY(isOfLogs(sets().all()[0]) && !isOfLogs(sets().all()[1]));
         QVERIFY(childOf<QLabel>(*window_, "listed").text().contains("phasors fixed"));
-        QVERIFY(childOf<FileList>(*window_, "members").item(0)->toolTip().contains("G7"));
+        QVERIFY(childOf<SetTree>(*window_, "sets").members().front()->toolTip(0).contains("G7"));
         window_->action(Command::identify)->trigger();
         waitForOutcome();
         QCOMPARE(outcome().set.recordings.front().conditions.gyro, std::string("G7"));

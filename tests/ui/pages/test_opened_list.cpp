@@ -3,7 +3,6 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
@@ -74,7 +73,7 @@ private slots:
         QCOMPARE(sets().current()->id, whole.id);
         QVERIFY(childOf<ResonatorPage>(*window_).isVisible());
         QVERIFY(childOf<QLabel>(*window_, "listed").isVisible());
-        const QString tip = childOf<FileList>(*window_, "members").item(0)->toolTip();
+        const QString tip = childOf<SetTree>(*window_, "sets").members().front()->toolTip(0);
         for (const char* told : {"G7", "2026-03-31", "100 V", "22.5 °C", "Bench: B1"}) {
             QVERIFY2(tip.contains(told), qPrintable(tip));
         }

@@ -118,7 +118,9 @@ private slots:
         }
         auto& numbers = the<QTableWidget>("residualNumbers");
         QVERIFY(numbers.isVisible());
-        QCOMPARE(numbers.rowCount(), 6);
+        // A quantity is a column, C and D are rows.
+        QCOMPARE(numbers.rowCount(), 2);
+        QCOMPARE(numbers.columnCount(), 7);
         QVERIFY(the<QLabel>("residualState").text().contains(numberLabel(15960, 0)));
         QVERIFY(!the<QPushButton>("residualFilter").isVisible());
         // Without lines there is nothing to choose.

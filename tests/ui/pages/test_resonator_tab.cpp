@@ -4,14 +4,12 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
-#include "ui/panels/file_list.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
 #include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/resonator_text.h"
-#include "ui/resonator/set_panel.h"
 #include "ui/settings/settings_groups.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
@@ -20,10 +18,9 @@
 
 #include <QClipboard>
 #include <QComboBox>
-#include <QDropEvent>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMimeData>
+#include <QTabWidget>
 #include <QTest>
 
 namespace test_resonator_tab {
@@ -57,16 +54,6 @@ class TestResonatorTab : public QObject, private WindowTest {
             found.push_back(entry.id);
         }
         return found;
-    }
-
-    void drop(QMimeData& data) {
-        QWidget* target = the<FileList>("members").viewport();
-        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &dropped);
     }
 
     std::shared_ptr<const ResonatorOutcome> outcome() {
@@ -170,62 +157,6 @@ private slots:
         window_->resize(1400, 900);
     }
 
-    void a_set_is_built_by_dropping_recordings_and_files() {
-        openRuns({files_[0], files_[1]});
-        setStore().addToCurrent(ids());
-        QCOMPARE(setStore().current()->recordings, ids());
-        setStore().addToCurrent(ids());  // once more changes nothing
-        QCOMPARE(the<FileList>("members").count(), 2);
-        QMimeData urls;
-        urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
-        drop(urls);
-        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
-        QCOMPARE(setStore().current()->recordings, ids());
-        QCOMPARE(the<FileList>("members").count(), 3);
-        QVERIFY(setStore().canIdentify());
-        // The list follows the current recording with one row, however many were dragged.
-        QCOMPARE(the<Ledger>().selectedRecordings(),
-                 std::vector<RecordingId>{document().currentRecording()->id});
-    }
-
-    void a_set_is_edited_by_keyboard() {
-        openRuns(files_);
-        window_->action(Command::page_tracks)->trigger();
-        auto& list = the<Ledger>();
-        list.setFocus();
-        list.selectAll();
-        QTest::keyClick(&list, Qt::Key_Insert);
-        QCOMPARE(setStore().current()->recordings, ids());
-        window_->action(Command::page_resonator)->trigger();
-        auto& members = the<FileList>("members");
-        members.setFocus();
-        members.setCurrentRow(1);
-        QTest::keyClick(&members, Qt::Key_Space);
-        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(3));
-        QCOMPARE(members.item(1)->checkState(), Qt::Unchecked);
-        QCOMPARE(members.currentRow(), 1);
-        QTest::keyClick(&members, Qt::Key_Space);
-        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(4));
-        document().closeRecording(ids().front());
-        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
-    }
-
-    void sets_are_named_and_removed() {
-        setStore().add();
-        auto& sets = the<QComboBox>("sets");
-        QCOMPARE(sets.currentText(), QStringLiteral("Set 1"));
-        sets.lineEdit()->setFocus();
-        sets.lineEdit()->selectAll();
-        QTest::keyClicks(sets.lineEdit(), "gyro 17");
-        QTest::keyClick(sets.lineEdit(), Qt::Key_Return);
-        QCOMPARE(setStore().current()->name, QStringLiteral("gyro 17"));
-        window_->action(Command::new_set)->trigger();
-        QCOMPARE(sets.count(), 2);
-        QCOMPARE(sets.currentText(), QStringLiteral("Set 2"));
-        setStore().remove(setStore().current()->id);
-        QCOMPARE(sets.currentText(), QStringLiteral("gyro 17"));
-    }
-
     void four_runs_give_split_axis_and_decay() {
         showIdentified();
         const ResonatorEstimate& found = outcome()->identification.fit.resonator;
@@ -267,10 +198,14 @@ private slots:
         auto& resonator = the<QuantityTable>("resonator");
         auto& sensitivities = the<QuantityTable>("sensitivities");
         const auto top = [this](QWidget& widget) {
+            bringUp(widget);
             return widget.mapTo(&the<ResonatorPage>(), QPoint()).y();
         };
+        VYBEG_LESS(top(resonator), top(sensitivities));
+        auto& tabs = the<QTabWidget>("outcomeTabs");
+        VYBEG_MORE(tabs.currentIndex(), 0);
         VYBEG_LESS(top(resonator), top(waves));
-        VYBEG_LESS(top(waves), top(sensitivities));
+        QCOMPARE(tabs.currentIndex(), 0);
         QCOMPARE(waves.rowCount(), 4);
         QCOMPARE(waves.columnCount(), 5);
         const Estimate& f = found.runs[2].wave.f_hz;
@@ -290,6 +225,7 @@ private slots:
             VYBEG_AT_MOST(needed.height(), titles.height(), qPrintable(title));
         }
         // Copied, the change of the axis by 0.1 degrees of skew.
+        bringUp(sensitivities);
         sensitivities.setFocus();
         QTest::keyClick(&sensitivities, Qt::Key_C, Qt::ControlModifier);
         const QStringList lines = QApplication::clipboard()->text().split('\n');
@@ -375,6 +311,8 @@ private slots:
             QVERIFY2(cell("resonator", row).endsWith("for f"), qPrintable(cell("resonator", row)));
         }
         // The direction in which the wave stands is seen all the same.
+        window_->action(Command::page_resonator)->trigger();
+        bringUp(the<QuantityTable>("runs"));
         for (const char* row : {"f of this direction", "τ of this direction"}) {
             QVERIFY2(cell("runs", row).contains("±"), qPrintable(cell("runs", row)));
         }
@@ -479,6 +417,7 @@ private slots:
             VYBEG_MORE(QFileInfo(home_.path(name)).size(), 1000);
         }
         auto& view = the<XYPlotView>("balance");
+        bringUp(view);
         view.setFocus();
         QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
         QVERIFY(!QApplication::clipboard()->image().isNull());

@@ -100,6 +100,7 @@ class TestSessionResults : public QObject, private WindowTest {
     // All numbers of a table at full precision, as it is copied.
     QString numbers(const char* table) {
         auto& view = childOf<QuantityTable>(*window_, QLatin1String(table));
+        bringUp(view);
         view.setFocus();
         view.selectAll();
         QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);

@@ -201,6 +201,28 @@ private slots:
         VYBEG_AT_MOST(panel.width(), 300);  // the plots own the window
     }
 
+    // Without being opened.
+    void a_folded_section_says_what_is_chosen_in_it() {
+        openOne();
+        auto& panel = childOf<SettingsPanel>(*window_);
+        Section& calibration = *panel.findChildren<Section*>().last();
+        const auto note = [&](const QString& text) {
+            const auto labels =
+                calibration.findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
+            return std::ranges::any_of(labels, [&](const QLabel* label) {
+                return label->isVisible() && label->text().contains(text);
+            });
+        };
+        calibration.setOpen(false);
+        QVERIFY(note("κ 1 ± 0.01"));
+        Settings settings = document().settings();
+        settings.calibration.kappa = 1.02;
+        document().setSettings(settings);
+        QVERIFY(note("κ 1.02 ± "));
+        calibration.setOpen(true);
+        QVERIFY(!note("κ"));
+    }
+
     void plots_older_than_the_panel_say_so_until_they_are_analysed() {
         openOne();
         const auto& mark = childOf<QLabel>(*window_, "stale");

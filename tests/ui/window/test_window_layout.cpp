@@ -9,13 +9,16 @@
 #include "ui/panels/wave_panel.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
+#include "ui/resonator/outcome_views.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/widgets/quantity_table.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
 
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLayout>
 #include <QListWidget>
@@ -115,18 +118,35 @@ private slots:
                 window_->resize(1280, 720);
                 window_->action(Command::page_resonator)->trigger();
                 QTest::qWait(1);
+                // Table, sentence and tabs stand one below the other, each as high as it needs.
+                auto& numbers = the<NumbersView>();
+                const QLayout& parts = *numbers.layout();
                 int seen = 0;
-                for (const Section* section : the<ResonatorPage>().findChildren<Section*>()) {
-                    const QLayout& parts = *section->layout();
-                    const int needed = parts.hasHeightForWidth()
-                                           ? parts.totalHeightForWidth(section->width())
-                                           : parts.totalMinimumSize().height();
-                    if (section->isVisible()) {
-                        QCOMPARE(section->height(), needed);
+                int next = 0;
+                for (int k = 0; k < parts.count(); ++k) {
+                    const QWidget& part = *parts.itemAt(k)->widget();
+                    if (part.isVisible()) {
+                        QCOMPARE(part.y(), next);
+                        next += part.height() + parts.spacing();
                         ++seen;
                     }
+                    if (const auto* label = qobject_cast<const QLabel*>(&part)) {
+                        QCOMPARE(label->height(), label->heightForWidth(label->width()));
+                    }
                 }
-                VYBEG_AT_LEAST(seen, 4);
+                QCOMPARE(next - parts.spacing(), numbers.height());
+                VYBEG_AT_LEAST(seen, 3);
+                for (const auto* table : the<ResonatorPage>().findChildren<QuantityTable*>()) {
+                    int needed = table->horizontalHeader()->isVisible()
+                                     ? table->horizontalHeader()->height()
+                                     : 0;
+                    for (int row = 0; row < table->rowCount(); ++row) {
+                        needed += table->rowHeight(row);
+                    }
+                    if (table->isVisible()) {
+                        QCOMPARE(table->height(), needed);
+                    }
+                }
             }
         }
         window_->setLanguage(QStringLiteral("en"));

@@ -1,0 +1,171 @@
+// The tree of the sets: built by dropping, edited by keyboard, named and removed.
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/panels/ledger.h"
+#include "ui/resonator/set_panel.h"
+
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTest>
+
+namespace test_set_tree {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestSetTree : public QObject, private WindowTest {
+    Q_OBJECT
+
+    QStringList files_;
+
+    SetStore& setStore() { return document().sets(); }
+
+    void openRuns(const QStringList& files) {
+        document().open(files);
+        QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
+    }
+
+    bool allOpen() {
+        return std::ranges::all_of(document().recordings(),
+                                   [](const auto& entry) { return entry.recording.has_value(); });
+    }
+
+    std::vector<RecordingId> ids() {
+        std::vector<RecordingId> found;
+        for (const RecordingEntry& entry : document().recordings()) {
+            found.push_back(entry.id);
+        }
+        return found;
+    }
+
+    void drop(QMimeData& data) {
+        QWidget* target = the<SetTree>("sets").viewport();
+        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &enter);
+        QVERIFY(enter.isAccepted());
+        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(target, &dropped);
+    }
+
+private slots:
+    void initTestCase() { files_ = resonatorRuns(home_, "run"); }
+    void init() { window_ = shownWindow(); }
+    void cleanup() { window_.reset(); }
+
+    void a_set_is_built_by_dropping_recordings_and_files() {
+        openRuns({files_[0], files_[1]});
+        setStore().addToCurrent(ids());
+        QCOMPARE(setStore().current()->recordings, ids());
+        setStore().addToCurrent(ids());  // once more changes nothing
+        QCOMPARE(the<SetTree>("sets").members().size(), std::size_t(2));
+        QMimeData urls;
+        urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
+        drop(urls);
+        QTRY_VERIFY_WITH_TIMEOUT(document().recordings().size() == 3 && allOpen(), 20000);
+        QCOMPARE(setStore().current()->recordings, ids());
+        QCOMPARE(the<SetTree>("sets").members().size(), std::size_t(3));
+        QVERIFY(setStore().canIdentify());
+        // The list follows the current recording with one row, however many were dragged.
+        QCOMPARE(the<Ledger>().selectedRecordings(),
+                 std::vector<RecordingId>{document().currentRecording()->id});
+    }
+
+    void a_set_is_edited_by_keyboard() {
+        openRuns(files_);
+        window_->action(Command::page_tracks)->trigger();
+        auto& list = the<Ledger>();
+        list.setFocus();
+        list.selectAll();
+        QTest::keyClick(&list, Qt::Key_Insert);
+        QCOMPARE(setStore().current()->recordings, ids());
+        window_->action(Command::page_resonator)->trigger();
+        auto& sets = the<SetTree>("sets");
+        sets.setFocus();
+        sets.setCurrentItem(sets.members()[1]);
+        QTest::keyClick(&sets, Qt::Key_Space);
+        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(3));
+        QCOMPARE(sets.members()[1]->checkState(0), Qt::Unchecked);
+        QCOMPARE(sets.currentItem(), sets.members()[1]);
+        QTest::keyClick(&sets, Qt::Key_Space);
+        QTRY_COMPARE(setStore().current()->recordings.size(), std::size_t(4));
+        QTest::keyClick(&sets, Qt::Key_Delete);
+        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
+        document().undoStack().undo();
+        document().closeRecording(ids().front());
+        QCOMPARE(setStore().current()->recordings.size(), std::size_t(3));
+    }
+
+    void sets_are_named_and_removed() {
+        setStore().add();
+        window_->action(Command::page_resonator)->trigger();
+        auto& sets = the<SetTree>("sets");
+        QCOMPARE(sets.topLevelItem(0)->text(0), QStringLiteral("Set 1"));
+        sets.setFocus();
+        sets.setCurrentItem(sets.topLevelItem(0));
+        QTest::keyClick(&sets, Qt::Key_F2);
+        auto* name = sets.findChild<QLineEdit*>();
+        QVERIFY(name);
+        name->selectAll();
+        QTest::keyClicks(name, "gyro 17");
+        QTest::keyClick(name, Qt::Key_Return);
+        QTRY_COMPARE(setStore().current()->name, QStringLiteral("gyro 17"));
+        QTRY_VERIFY(!sets.editing());
+        const SetId first = setStore().current()->id;
+        window_->action(Command::new_set)->trigger();
+        QCOMPARE(sets.topLevelItemCount(), 2);
+        QCOMPARE(sets.currentItem()->text(0), QStringLiteral("Set 2"));
+        // A row of another set makes it the current one.
+        QTest::keyClick(&sets, Qt::Key_Up);
+        QTRY_COMPARE(setStore().current()->id, first);
+        QTest::keyClick(&sets, Qt::Key_Down);
+        QTRY_VERIFY(setStore().current()->id != first);
+        QTest::keyClick(&sets, Qt::Key_Delete);
+        QCOMPARE(sets.topLevelItemCount(), 1);
+        QCOMPARE(sets.currentItem()->text(0), QStringLiteral("gyro 17"));
+    }
+
+    // A set shows how many it has, that it is identified, and its recordings alone where it is not
+    // the current one.
+    void each_set_has_its_recordings() {
+        openRuns(files_);
+        setStore().add({ids()[0], ids()[1]});
+        setStore().add({ids()[2]});
+        auto& sets = the<SetTree>("sets");
+        QCOMPARE(sets.topLevelItemCount(), 2);
+        const auto note = [&sets](int set) { return sets.topLevelItem(set)->text(1); };
+        QCOMPARE(note(0), QStringLiteral("2 rec."));
+        QCOMPARE(note(1), QStringLiteral("1 rec."));
+        QCOMPARE(sets.topLevelItem(0)->childCount(), 2);
+        QCOMPARE(sets.topLevelItem(1)->childCount(), 4);  // those that may come into it, too
+        QCOMPARE(sets.members().size(), std::size_t(4));
+        QVERIFY(sets.topLevelItem(1)->isExpanded());
+        setStore().identify();
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        QCOMPARE(note(1), QStringLiteral("1 rec. ✓"));
+        QCOMPARE(note(0), QStringLiteral("2 rec."));
+        setStore().addToCurrent({ids()[3]});
+        QCOMPARE(note(1), QStringLiteral("2 rec."));
+    }
+
+    // Without a set the open recordings stand alone: the first that is checked makes one.
+    void a_check_mark_makes_a_set() {
+        openRuns({files_[0], files_[1]});
+        window_->action(Command::page_resonator)->trigger();
+        auto& sets = the<SetTree>("sets");
+        QCOMPARE(sets.members().size(), std::size_t(2));
+        sets.setFocus();
+        sets.setCurrentItem(sets.members()[1]);
+        QTest::keyClick(&sets, Qt::Key_Space);
+        QTRY_COMPARE(setStore().all().size(), std::size_t(1));
+        QCOMPARE(setStore().current()->recordings, std::vector<RecordingId>{ids()[1]});
+    }
+};
+
+VYBEG_TEST(TestSetTree, threads)
+
+}  // namespace test_set_tree
+
+#include "test_set_tree.moc"

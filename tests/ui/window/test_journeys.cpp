@@ -1,0 +1,249 @@
+// What an engineer does with the window from beginning to end: in as few actions as the design
+// allows, and without a mouse.
+#include "tests/closeness.h"
+#include "tests/test_registry.h"
+#include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
+#include "ui/panels/findings_flag.h"
+#include "ui/panels/ledger.h"
+#include "ui/plots/track_view.h"
+#include "ui/resonator/dossier_dialogs.h"
+#include "ui/widgets/quantity_table.h"
+#include "ui/window/axis_limits.h"
+#include "ui/window/file_commands.h"
+#include "ui/window/page_stack.h"
+#include "ui/window/status_line.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QStatusBar>
+#include <QTest>
+#include <QTextBrowser>
+
+namespace test_journeys {
+
+using namespace vybeg;
+using namespace vybeg::ui;
+
+class TestJourneys : public QObject, private WindowTest {
+    Q_OBJECT
+
+    QStringList files_;
+
+    void open(const QStringList& files) {
+        window_->files().open(files);
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                return document().analyses().size() == static_cast<std::size_t>(files.size()) &&
+                       !document().busy();
+            },
+            20000));
+    }
+    void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::keyClick(window_.get(), static_cast<Qt::Key>(key), modifiers);
+    }
+    // By the Tab key alone; whether it is there.
+    static bool reach(QWidget& window, const std::function<bool(const QWidget&)>& wanted) {
+        constexpr int most = 200;
+        for (int steps = 0; steps < most; ++steps) {
+            const QWidget* now = window.focusWidget();
+            if (now && wanted(*now)) {
+                return true;
+            }
+            QTest::keyClick(&window, Qt::Key_Tab);
+        }
+        return false;
+    }
+    static void type(QWidget& window, const char* text) {
+        QTest::keyClicks(window.focusWidget(), text);
+    }
+    QTableWidgetItem* cell(const QString& name, int column) {
+        const auto& rows = the<QuantityTable>("resonator");
+        for (int row = 0; row < rows.rowCount(); ++row) {
+            if (rows.item(row, 0)->text().startsWith(name)) {
+                return rows.item(row, column);
+            }
+        }
+        return nullptr;
+    }
+
+private slots:
+    void initTestCase() { files_ = resonatorRuns(home_, "run"); }
+    void init() {
+        window_ = shownWindow();
+        window_->resize(1280, 720);
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    }
+    void cleanup() { window_.reset(); }
+
+    // Opened together they are a set; F7 identifies it; the menu asks for limits; a number and
+    // Return, and the verdict stands beside the parameter, with nothing to scroll.
+    void from_four_files_to_a_verdict_in_four_actions() {
+        open(files_);       // 1
+        press(Qt::Key_F7);  // 2
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        QCOMPARE(the<PageStack>().page(), Page::resonator);
+        window_->action(Command::limits)->trigger();  // 3
+        auto& dialog = the<LimitsDialog>();
+        auto& field = childOf<NumberField>(dialog, "split_hz.upper");
+        field.setFocus();
+        QTest::keyClicks(&field, "20");
+        QTest::keyClick(&field, Qt::Key_Return);  // 4
+        QTRY_VERIFY(cell("Frequency split", 2));
+        const QTableWidgetItem& verdict = *cell("Frequency split", 2);
+        QCOMPARE(verdict.text(), QStringLiteral("✓ ≤ 20"));
+        auto& table = the<QuantityTable>("resonator");
+        const auto seen = [&] {
+            return QRegion(table.visualItemRect(&verdict))
+                .subtracted(table.viewport()->visibleRegion())
+                .isEmpty();
+        };
+        QTRY_VERIFY(seen());
+    }
+
+    // Analyse, measure, copy, scale, identify, undo.
+    void a_day_by_keyboard_alone() {
+        open(files_);
+        press(Qt::Key_1, Qt::ControlModifier);
+        press(Qt::Key_F5);
+        QVERIFY(idle(5));
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(document().analyses().size(), std::size_t(4));
+
+        const auto named = [](const char* name) {
+            return [name](const QWidget& widget) {
+                return widget.accessibleName() == QLatin1String(name);
+            };
+        };
+        auto& tracks = the<TrackView>();
+        for (const auto& [name, time] :
+             {std::pair{"Time of cursor A", "1"}, std::pair{"Time of cursor B", "3"}}) {
+            QVERIFY2(reach(*window_, named(name)), name);
+            type(*window_, time);
+            QTest::keyClick(window_->focusWidget(), Qt::Key_Return);
+        }
+        QCOMPARE(tracks.cursor(Cursor::a), std::optional(1.0));
+        QCOMPARE(tracks.cursor(Cursor::b), std::optional(3.0));
+        press(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+        VYBEG_AT_LEAST(QApplication::clipboard()->text().split('\n').size(), 5);
+
+        QVERIFY(reach(*window_, [](const QWidget& widget) {
+            return widget.accessibleName().startsWith("Plot of a_A") ||
+                   widget.accessibleName().startsWith("Plot of aA");
+        }));
+        const AxisRange whole = tracks.valueRange(SlowVariable::a_A);
+        press(Qt::Key_L);
+        {
+            auto& limits = the<AxisLimitsDialog>();
+            QVERIFY(reach(limits, named("From")));
+            type(limits, "0.25");
+            QVERIFY(reach(limits, named("To")));
+            type(limits, "0.75");
+            QTest::keyClick(limits.focusWidget(), Qt::Key_Return);
+        }
+        QTRY_COMPARE(tracks.valueRange(SlowVariable::a_A), (AxisRange{0.25, 0.75}));
+        press(Qt::Key_Left, Qt::AltModifier);
+        QTRY_COMPARE(tracks.valueRange(SlowVariable::a_A), whole);
+
+        press(Qt::Key_F7);
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        QCOMPARE(the<PageStack>().page(), Page::resonator);
+        QVERIFY(cell("Frequency split", 1));
+        for (int page = 0; page <= static_cast<int>(Page::history); ++page) {
+            press(Qt::Key_1 + page, Qt::ControlModifier);
+            QCOMPARE(static_cast<int>(the<PageStack>().page()), page);
+        }
+    }
+
+    void limits_of_an_axis_that_make_no_sense_are_refused() {
+        open({files_[0]});
+        auto& tracks = the<TrackView>();
+        const auto asked = [&]() -> AxisLimitsDialog& {
+            askForAxisLimits(tracks, window_.get());
+            return the<AxisLimitsDialog>();
+        };
+        auto& dialog = asked();
+        auto& lower = childOf<NumberField>(dialog, "axisLower");
+        auto& upper = childOf<NumberField>(dialog, "axisUpper");
+        const auto fill = [](NumberField& field, const char* text) {
+            field.selectAll();
+            QTest::keyClicks(&field, text);
+            field.commit();
+        };
+        fill(lower, "2");
+        fill(upper, "1");
+        QVERIFY(!childOf<QLabel>(dialog, "axisFault").text().isEmpty());
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QVERIFY(tracks.zoom().current().fixed.empty());
+        fill(upper, "3");
+        QVERIFY(childOf<QLabel>(dialog, "axisFault").text().isEmpty());
+        QTest::keyClick(&dialog, Qt::Key_Return);
+        QTRY_VERIFY(!window_->findChild<AxisLimitsDialog*>());
+        const SlowVariable variable = *tracks.chosenVariable();
+        QCOMPARE(tracks.valueRange(variable), (AxisRange{2, 3}));
+        // Emptied, the axis follows the data again.
+        auto& again = asked();
+        for (const char* name : {"axisLower", "axisUpper"}) {
+            auto& field = childOf<NumberField>(again, name);
+            QVERIFY(field.value());
+            field.clear();
+            field.setModified(true);
+            field.commit();
+        }
+        QTest::keyClick(&again, Qt::Key_Return);
+        QVERIFY(tracks.zoom().current().fixed.empty());
+    }
+
+    // A finding about which the settings can do something has the button that does it.
+    void findings_have_the_button_that_helps() {
+        FreeDecay decay;
+        decay.seconds = 4;
+        decay.rate_hz = 8000;
+        decay.f0_hz = 1000;
+        decay.noise = 1e-3;
+        decay.offset_c = 0.1;
+        open({home_.recording("offset.wav", decay)});
+        QTRY_VERIFY_WITH_TIMEOUT(document().currentRecording()->faults, 20000);
+        auto& list = *the<FindingsFlag>().findChild<CheckList*>();
+        auto& text = childOf<QTextBrowser>(list);
+        QTRY_VERIFY2(text.toPlainText().contains("Take the offsets from the signals"),
+                     qPrintable(text.toPlainText()));
+        QVERIFY(!document().settings().calibration.offset_auto);
+        const auto link = QRegularExpression("remedy,\\d+").match(text.toHtml());
+        QVERIFY(link.hasMatch());
+        emit text.anchorClicked(QUrl(link.captured()));
+        QVERIFY(document().settings().calibration.offset_auto);
+        QVERIFY(!text.toPlainText().contains("Take the offsets"));
+        document().undoStack().undo();
+        QVERIFY(text.toPlainText().contains("Take the offsets"));
+    }
+
+    // Where the page owns the window no empty row stands below it: what is new stands over it.
+    void pages_that_own_the_window_have_no_empty_row() {
+        open(files_);
+        auto& bar = *window_->statusBar();
+        QVERIFY(bar.isVisible());
+        for (const Page page : {Page::resonator, Page::drift, Page::history}) {
+            the<PageStack>().showPage(page);
+            QVERIFY(!bar.isVisible());
+        }
+        press(Qt::Key_F7);
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        auto& line = the<StatusLine>();
+        QVERIFY2(line.text().contains("Resonator of 4"), qPrintable(line.text()));
+        QVERIFY(line.isVisible());
+        QCOMPARE(line.geometry().bottom(), line.parentWidget()->height() - 1);
+        the<PageStack>().showPage(Page::tracks);
+        QVERIFY(bar.isVisible() && line.isVisible());
+        QVERIFY(bar.isAncestorOf(&line));
+    }
+};
+
+VYBEG_TEST(TestJourneys)
+
+}  // namespace test_journeys
+
+#include "test_journeys.moc"
