@@ -63,8 +63,6 @@ NumbersView::NumbersView(QWidget* parent)
     connect(statistical_, &QLabel::linkActivated, this, [this](const QString& offer) {
         emit calibrationChosen(offer, foundCalibration(shown_->identification));
     });
-    connect(statistical_, &QLabel::linkActivated, this,
-            [this] { emit gainRatioChosen(shown_->identification.fit.resonator.kappa); });
     tabs_->setDocumentMode(true);
     tabs_->setUsesScrollButtons(false);
     auto* recordings = new QWidget(this);
