@@ -32,13 +32,13 @@ using test::Complex;
 
 namespace {
 
-constexpr double split_hz = 0.5;
+constexpr double split_hz = 1;
 constexpr int most_actions = 4;
 constexpr int longest_ms = 60000;
 
 FreeDecay decay() {
     FreeDecay decay;
-    decay.seconds = 6;
+    decay.seconds = 3;
     decay.rate_hz = test::rate_hz;
     decay.f0_hz = test::f_ref_hz - 0.1;
     decay.a_B = 0;
@@ -83,6 +83,10 @@ class TestJourneys : public QObject, private WindowTest {
             urls << QUrl::fromLocalFile(file);
         }
         data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(window_.get(), &drop);
     }
