@@ -211,7 +211,8 @@ private slots:
             files << home_.file(name + "00000.csv", text);
             home_.file(name + "header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
         }
-        drop(files);
+        actions_ += 2;  // the command and its files: dropped, they are taken for recordings
+        window_->files().openLogs(files);
         pressOpen<LogDialog>();
         showsSplit();
     }
