@@ -196,27 +196,6 @@ private slots:
         showsSplit();
     }
 
-    // The sign of Y, the amplitudes and the frequency are those of the manual and of the file.
-    void demodulators_of_labone() {
-        QStringList files;
-        for (const int demodulator : {0, 1}) {
-            QByteArray text = "chunk;timestamp;x;y;freq;phase;dio;trigger;auxin0;auxin1\n";
-            for (const Row& row : phasors_) {
-                const Complex z = (demodulator == 0 ? row.c : row.d) / std::numbers::sqrt2;
-                text += rowOf({0, 7e14 + std::round(row.t * 6e7), z.real(), z.imag(),
-                               test::f_ref_hz, 0, 0, 0, 0, 0},
-                              ';');
-            }
-            const QString name = QString("dev1_demods_%1_sample_").arg(demodulator);
-            files << home_.file(name + "00000.csv", text);
-            home_.file(name + "header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
-        }
-        actions_ += 2;  // the command and its files: dropped, they are taken for recordings
-        window_->files().openLogs(files);
-        pressOpen<LogDialog>();
-        showsSplit();
-    }
-
     // The frame follows from the columns.
     void a_phasemeter_of_moku() {
         QByteArray text =
