@@ -245,7 +245,6 @@ RoundView::RoundView(bool polar, QWidget* parent)
     content_.polar = polar;
     view_->setRenderHint(QPainter::Antialiasing);
     view_->setFrameShape(QFrame::NoFrame);
-    view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // takes what it gets
     setMinimumSize(180, 180);
     addDrawing(view_);
     layout()->addWidget(legend_);
