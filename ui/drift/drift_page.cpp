@@ -14,6 +14,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -394,9 +395,12 @@ void DriftPage::showFound() {
         plot_->setContent(wholeAnglePlot(drift, units()));
         warnings_->setFindings(findings_of(drift.warnings));
         // The list has the whole names.
-        const QStringList names = logHeaders(drift);
-        harmonics_->setContent(names.mid(0, 1) + distinctNames(names.mid(1)),
-                               logRows(drift, units()));
+        const QStringList headers = logHeaders(drift);
+        QStringList logs;
+        for (const QString& name : headers.mid(1)) {
+            logs << QFileInfo(name).completeBaseName();
+        }
+        harmonics_->setContent(headers.mid(0, 1) + distinctNames(logs), logRows(drift, units()));
         agreement_->setText(paragraphs(agreementTexts(drift), QStringLiteral("%1")));
         resonator_->setContent({}, heldRows(drift.resonator, units()));
         statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));

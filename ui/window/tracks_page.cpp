@@ -53,6 +53,12 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
              unit == QStringLiteral("°") ? unit : ' ' + unit);
 }
 
+// Neither hidden nor of another unit or length.
+bool isDrawn(const PlotContent& content, const ShownAnalysis& shown) {
+    const auto found = std::ranges::find(content.analyses, shown.id, &ShownAnalysis::id);
+    return found != content.analyses.end() && found->visible;
+}
+
 }  // namespace
 
 TracksPage::TracksPage(Document& document, QWidget* parent)
@@ -82,7 +88,11 @@ void TracksPage::showAnalyses() {
 // The ledger names the analyses; logs are not in it.
 void TracksPage::nameLogs() {
     QStringList names;
+    const PlotContent content = tracks_->content();
     for (const ShownAnalysis& log : log_tracks_.shown()) {
+        if (!isDrawn(content, log)) {
+            continue;
+        }
         names << QStringLiteral("<span style=\"color:%1\">■</span> %2")
                      .arg(readable(log.color, theme(), log.shade).name(), log.name.toHtmlEscaped());
     }
@@ -122,18 +132,14 @@ FigureSource TracksPage::figures() const {
     FigureSource source;
     QStringList recordings;
     QStringList settings;
-    const auto drawn = [&content](const ShownAnalysis& shown) {
-        const auto found = std::ranges::find(content.analyses, shown.id, &ShownAnalysis::id);
-        return found != content.analyses.end() && found->visible;
-    };
     for (const AnalysisEntry& entry : document_.analyses()) {
-        if (drawn(entry.shown)) {
+        if (isDrawn(content, entry.shown)) {
             recordings << entry.shown.recording;
             settings << settingsText(entry);
         }
     }
     for (const ShownAnalysis& log : log_tracks_.shown()) {
-        if (drawn(log)) {
+        if (isDrawn(content, log)) {
             recordings << log.recording;
         }
     }
