@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <exception>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace {

@@ -119,6 +119,18 @@ private slots:
         VYBEG_CLOSE(std::stod(english(found[0].args[2])), 2.0, 0.05);
     }
 
+    void constant_channels_have_no_share_of_an_amplitude() {
+        for (const double level : {0.0, 1.0, -0.1}) {
+            const std::vector<double> constant(40000, level);
+            const std::vector<double> other(40000, 2 * level);
+            for (const Diagnostic& found : findings({constant, other}, {})) {
+                QVERIFY2(
+                    found.kind != DiagnosticKind::offset && found.kind != DiagnosticKind::mains,
+                    qPrintable(text({found})));
+            }
+        }
+    }
+
     void lines_of_the_mains_are_found_and_no_others() {
         for (const double f : {50.0, 100.0, 150.0, 60.0, 120.0, 180.0}) {
             for (const double off : {-0.2, 0.0, 0.15}) {  // the mains wander
