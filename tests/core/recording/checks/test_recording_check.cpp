@@ -254,9 +254,11 @@ private slots:
         QCOMPARE(found[0].kind, DiagnosticKind::phase_step);
         // 40 samples are seven periods less 4 samples and 0.025 rad, three deviations here.
         VYBEG_CLOSE(std::stod(english(found[0].args[0])), 2.262, 0.05);
-        QVERIFY2(english(found[0].args[2]).starts_with("4,"), qPrintable(text(found)));
-        QVERIFY2(english(found[0].args[3]).find("40,") != std::string::npos,
-                 qPrintable(text(found)));
+        const auto numbers = [&found](std::size_t arg) {
+            return QString::fromStdString(english(found[0].args[arg])).split(", ");
+        };
+        QVERIFY2(numbers(2).first() == "4", qPrintable(text(found)));
+        QVERIFY2(numbers(3).contains("40"), qPrintable(text(found)));
         VYBEG_WITHIN(found[0].first_frame, 60000, 1);
     }
 
