@@ -433,9 +433,10 @@ bool has_thousands(std::string_view field) {
     const std::size_t point = field.find('.');
     const std::size_t sign = field.starts_with('-') ? 1 : 0;
     return comma != std::string_view::npos && point != std::string_view::npos && comma > sign &&
-           comma <= sign + 3 && are_digits(field.substr(sign, comma - sign)) &&
-           point >= comma + 4 && (point - comma) % 4 == 0 &&
-           are_digits(field.substr(comma + 1, 3)) && are_digits(field.substr(point + 1));
+           comma <= sign + 3 && field[sign] != '0' &&
+           are_digits(field.substr(sign, comma - sign)) && point >= comma + 4 &&
+           (point - comma) % 4 == 0 && are_digits(field.substr(comma + 1, 3)) &&
+           are_digits(field.substr(point + 1));
 }
 
 // A line in which separators of thousands stand; nothing where few lines have them.
