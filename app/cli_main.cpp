@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <exception>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace {
@@ -150,6 +151,12 @@ bool asks_for_json(std::span<char*> words) {
 int run(int argc, char** argv) {
     const InterruptGuard interrupt;
     const std::span words(argv, static_cast<std::size_t>(argc));
+    // "help" and "help info" ask as "--help" and "info --help" do.
+    std::string help = "--help";
+    if (words.size() > 1 && std::string_view(words[1]) == "help") {
+        words[1] = words.size() > 2 ? words[2] : help.data();
+        words[words.size() > 2 ? 2 : 1] = help.data();
+    }
 
     CLI::App app("Vybeg: standing waves in the free decay of a hemispherical resonator gyroscope.");
     app.name("vybeg-cli");

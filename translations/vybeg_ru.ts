@@ -1504,6 +1504,10 @@
         <translation>Файл обрывается: в заголовке указано отсчётов %1, есть %2. Обработаны имеющиеся.</translation>
     </message>
     <message>
+        <source>The file ends within a row, which is left out.</source>
+        <translation>Файл обрывается внутри строки; она пропущена.</translation>
+    </message>
+    <message>
         <source>The file is still being written, was never closed or has been cut off: nothing in it says how many frames there are to be. The %1 that are there are used.</source>
         <translation>Файл ещё записывается, не был закрыт или обрезан: сколько в нём должно быть отсчётов, неизвестно. Обработаны имеющиеся: %1.</translation>
     </message>
@@ -1568,8 +1572,8 @@
         <translation>Повторено отсчётов: %1, на %2 с. Окна, содержащие это место, помечены.</translation>
     </message>
     <message>
-        <source>A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; the phase shows them only modulo the period. Windows over the place are flagged.</source>
-        <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с. Повторено отсчётов: %3, либо потеряно: %4; фаза показывает их число только с точностью до периода. Окна, содержащие это место, помечены.</translation>
+        <source>A step of %1 rad in the phase of both channels at %2 s: samples were lost or doubled. The phase shows their number only modulo the period: doubled %3, lost %4, or more than 100. Windows over the place are flagged.</source>
+        <translation>Скачок фазы на %1 рад в обоих каналах, на %2 с: отсчёты потеряны или повторены. Фаза показывает их число только с точностью до периода: повторено %3, потеряно %4 либо больше 100. Окна, содержащие это место, помечены.</translation>
     </message>
     <message>
         <source>Further places where samples were lost or doubled: %1.</source>
@@ -1760,6 +1764,10 @@
         <translation>%1: переменной «%2» нет; в файле есть %3. Выберите другие.</translation>
     </message>
     <message>
+        <source>%1: several variables may be the recording: %2. Choose among them{ with --variables}.</source>
+        <translation>%1: записью могут быть несколько переменных: %2. Выберите нужные.</translation>
+    </message>
+    <message>
         <source>%1: no carrier stands out of the spectrum. Give {it with --f0, or the band to look in with --band|its frequency, or the band to look in}.</source>
         <translation>%1: несущая не выделяется в спектре. Задайте её частоту или полосу поиска.</translation>
     </message>
@@ -1790,6 +1798,14 @@
     <message>
         <source>%1: commas separate both columns and decimals, as in &quot;%2&quot;. Export the table with semicolons or tabs between its columns, or with decimal points.</source>
         <translation>%1: запятые разделяют и столбцы, и десятичные знаки, например: «%2». Сохраните таблицу с точкой с запятой или табуляцией между столбцами либо с десятичной точкой.</translation>
+    </message>
+    <message>
+        <source>%1: separators of thousands seem to stand within the numbers, as in &quot;%2&quot;. Export the table without them.</source>
+        <translation>%1: похоже, внутри чисел стоят разделители тысяч, например: «%2». Сохраните таблицу без них.</translation>
+    </message>
+    <message>
+        <source>%1: the file has several segments: its header begins again in line %2. Save each segment as a file of its own.</source>
+        <translation>%1: в файле несколько сегментов: в строке %2 снова начинается заголовок. Сохраните каждый сегмент отдельным файлом.</translation>
     </message>
     <message>
         <source>%1: channel %2 rises by equal steps: it holds times or numbers of rows, no signal. Choose other channels{ with --channels}.</source>
@@ -3582,6 +3598,10 @@
 </context>
 <context>
     <name>Words</name>
+    <message>
+        <source>none</source>
+        <translation>нет</translation>
+    </message>
     <message>
         <source>line %1 of the list, column &quot;%2&quot;</source>
         <translation>строка %1 списка, столбец «%2»</translation>

@@ -17,6 +17,8 @@ ROW(file_not_closed, warning,
     VYBEG_MESSAGE("Message",
                   "The file is still being written, was never closed or has been cut off: nothing "
                   "in it says how many frames there are to be. The %1 that are there are used."))
+ROW(text_ends_within_row, warning,
+    VYBEG_MESSAGE("Message", "The file ends within a row, which is left out."))
 ROW(channels_unequal, warning,
     VYBEG_MESSAGE("Message",
                   "The channels differ in length: %1 has %2 samples, %3 has %4. Both are counted "
@@ -86,11 +88,13 @@ ROW(samples_lost, warning,
     VYBEG_MESSAGE("Message", "Samples lost: %1 at %2 s. Windows over the place are flagged."))
 ROW(samples_doubled, warning,
     VYBEG_MESSAGE("Message", "Samples doubled: %1 at %2 s. Windows over the place are flagged."))
+// %3 and %4: numbers up to a hundred.
 ROW(phase_step, warning,
     VYBEG_MESSAGE(
         "Message",
-        "A step of %1 rad in the phase of both channels at %2 s. Samples doubled: %3, or lost: %4; "
-        "the phase shows them only modulo the period. Windows over the place are flagged."))
+        "A step of %1 rad in the phase of both channels at %2 s: samples were lost or doubled. The "
+        "phase shows their number only modulo the period: doubled %3, lost %4, or more than 100. "
+        "Windows over the place are flagged."))
 // Places beyond those told one by one.
 ROW(more_samples_lost, warning,
     VYBEG_MESSAGE("Message", "Further places where samples were lost or doubled: %1."))

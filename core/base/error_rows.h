@@ -56,6 +56,15 @@ ROW(text_decimal_commas, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1: commas separate both columns and decimals, as in \"%2\". Export the table "
                   "with semicolons or tabs between its columns, or with decimal points."))
+ROW(text_thousands, bad_input,
+    VYBEG_MESSAGE("Message",
+                  "%1: separators of thousands seem to stand within the numbers, as in \"%2\". "
+                  "Export the table without them."))
+// %2: a line of the file.
+ROW(text_segments, bad_input,
+    VYBEG_MESSAGE("Message",
+                  "%1: the file has several segments: its header begins again in line %2. Save "
+                  "each segment as a file of its own."))
 // %2: options; %3 and %4: the first line that is no row.
 ROW(text_no_table, bad_input,
     VYBEG_MESSAGE("Message",
@@ -107,6 +116,10 @@ ROW(passport_schema, bad_input,
 ROW(variable_missing, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1: there is no variable \"%2\" to read; the file has %3. Choose others{ with "
+                  "--variables}."))
+ROW(variables_ambiguous, bad_input,
+    VYBEG_MESSAGE("Message",
+                  "%1: several variables may be the recording: %2. Choose among them{ with "
                   "--variables}."))
 ROW(column_missing, bad_input,
     VYBEG_MESSAGE("Message",

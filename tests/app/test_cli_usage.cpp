@@ -124,6 +124,16 @@ private slots:
         QVERIFY(!QFile::exists(path("x.csv")));
     }
 
+    void help_is_a_subcommand_too() {
+        for (const auto& [word, option] :
+             {std::pair("help", "--help"), std::pair("help info", "info --help")}) {
+            const Outcome outcome = run(word);
+            VYBEG_EQUAL(outcome.status, 0, outcome.err);
+            QVERIFY(outcome.out.contains("--help"));
+            QCOMPARE(outcome.out, run(option).out);
+        }
+    }
+
     void a_file_whose_name_begins_with_a_dash_is_read_after_two_or_by_its_folder() {
         for (const QStringList& command : {words("info -- -c.wav"), QStringList{"info", "./-c.wav"},
                                            words("info --rate 8000 -- -c.wav")}) {

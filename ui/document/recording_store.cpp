@@ -32,7 +32,8 @@ bool isFixableByImportOptions(ErrorCode code) {
         case ErrorCode::channel_out_of_range:
         case ErrorCode::channel_is_time:
         case ErrorCode::rate_unknown:
-        case ErrorCode::variable_missing: return true;
+        case ErrorCode::variable_missing:
+        case ErrorCode::variables_ambiguous: return true;
         default: return false;
     }
 }

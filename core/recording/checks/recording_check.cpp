@@ -218,8 +218,8 @@ void report_rails(const ClippingCheck& clipping, const std::string& channel, Sam
     }
 }
 
-// Text of numbers of samples, e.g. "1, 7, ..."; larger ones are always possible.
-std::string list_of(const std::vector<int>& candidates, int sign) {
+// Numbers of samples, e.g. "1, 7, ...".
+MessageArg list_of(const std::vector<int>& candidates, int sign) {
     constexpr int most = 6;
     std::string list;
     int listed = 0;
@@ -228,11 +228,12 @@ std::string list_of(const std::vector<int>& candidates, int sign) {
             continue;
         }
         if (++listed > most) {
+            list += ", ...";
             break;
         }
-        list += integer_text(std::abs(lost)) + ", ";
+        list += (list.empty() ? "" : ", ") + integer_text(std::abs(lost));
     }
-    return list.empty() ? "-" : list + "...";
+    return list.empty() ? words(VYBEG_MESSAGE("Words", "none")) : MessageArg(list);
 }
 
 Diagnostic finding_of(const PhaseStep& step, double rate_hz) {
@@ -402,11 +403,18 @@ SampleFaults FaultCheck::finish() {
 std::vector<Diagnostic> FaultCheck::offsets() const {
     // Half the square of the wave's amplitude is the power of both channels.
     double power = 0;
+    double of_means = 0;
     for (const ChannelSums& channel : sums_) {
         const double mean = channel.mean();
+        of_means += mean * mean;
         power += channel.valid > 0
                      ? channel.squares / static_cast<double>(channel.valid) - mean * mean
                      : 0;
+    }
+    // Of constant channels the sums leave nothing but their rounding.
+    constexpr double rounding = 1e-12;
+    if (!(power > rounding * of_means)) {
+        return {};
     }
     const double amplitude = std::sqrt(2 * power);
     std::vector<Diagnostic> findings;
@@ -429,7 +437,7 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
     std::vector<double> d(frames);
     TRY(source.read(0, c, d));
     std::vector<Diagnostic> findings;
-    for (const MainsLine& line : mains_lines(c, d, rate_hz)) {
+    for (const MainsLine& line : f0_hz ? mains_lines(c, d, rate_hz) : std::vector<MainsLine>()) {
         findings.push_back(
             {DiagnosticKind::mains, {number_arg(line.f_hz), number_arg(100 * line.ratio, 2)}});
     }

@@ -3,6 +3,7 @@
 #include "core/base/plain_text.h"
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/mat_hdf5/hdf5_open.h"
+#include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
@@ -92,6 +93,15 @@ std::string unit_beside(hid_t object, const std::string& name) {
     return {};
 }
 
+// "33333 Hz", the rate or the step that an attribute of such a name holds as a text.
+std::optional<double> rate_in_words(const std::string& name, const std::string& text) {
+    const auto end = std::min(text.find_first_not_of("0123456789+-.,eE"), text.size());
+    const std::string number = text.substr(0, end);
+    const auto value = parse_field(number, number.find(',') != std::string::npos);
+    return value ? rate_by_name(name, *value, trimmed(std::string_view(text).substr(end)))
+                 : std::nullopt;
+}
+
 Hdf5Attributes read_attributes(hid_t object) {
     Hdf5Attributes found;
     H5O_info_t info{};
@@ -119,6 +129,8 @@ Hdf5Attributes read_attributes(hid_t object) {
             }
             found.scaled = found.scaled || (small == "scale_factor" && *number != 1) ||
                            (small == "add_offset" && *number != 0);
+        } else if (!found.rate_hz) {
+            found.rate_hz = rate_in_words(name, text_of(attribute.get()));
         }
     }
     return found;

@@ -427,6 +427,33 @@ bool has_decimal_commas(std::span<const std::string> lines, const TextFormat& fo
     return leading_zero;
 }
 
+// "7,298.797" between semicolons or tabs.
+bool has_thousands(std::string_view field) {
+    const std::size_t comma = field.find(',');
+    const std::size_t point = field.find('.');
+    const std::size_t sign = field.starts_with('-') ? 1 : 0;
+    return comma != std::string_view::npos && point != std::string_view::npos && comma > sign &&
+           comma <= sign + 3 && field[sign] != '0' &&
+           are_digits(field.substr(sign, comma - sign)) && point >= comma + 4 &&
+           (point - comma) % 4 == 0 && are_digits(field.substr(comma + 1, 3)) &&
+           are_digits(field.substr(point + 1));
+}
+
+// A line in which separators of thousands stand; nothing where few lines have them.
+std::optional<std::string> line_with_thousands(std::span<const std::string> lines) {
+    std::vector<std::string_view> fields;
+    std::vector<const std::string*> found;
+    for (const std::string& line : lines) {
+        for (const char delimiter : {';', '\t'}) {
+            split_fields(line, delimiter, fields);
+            if (fields.size() > 1 && std::ranges::any_of(fields, has_thousands)) {
+                found.push_back(&line);
+            }
+        }
+    }
+    return found.size() > lines.size() / 4 ? std::optional(*found.front()) : std::nullopt;
+}
+
 // Why there is no table; the head has at least the lines that are skipped.
 Error no_table(const FileBytes& file, const TextHead& head, const TextChoice& choice) {
     const std::string said = options_text({.text = choice});
@@ -490,6 +517,9 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
     TextChoice here = choice;
     if (here.lines_to_skip) {
         *here.lines_to_skip -= head.dropped;
+    }
+    if (const auto line = line_with_thousands(head.lines); line && !choice.delimiter) {
+        return file.error(ErrorCode::text_thousands, {short_quote(*line)});
     }
     auto format = guess_text_format(head.lines, here);
     if (!format) {

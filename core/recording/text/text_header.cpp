@@ -120,7 +120,8 @@ double written_relative_sd(std::string_view number, double value) {
     return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
 }
 
-// "Sample rate 33333 Hz": a key and, behind a blank, its number with its unit.
+// "Sample rate 33333 Hz", "fs=33.333 kHz": a key and, behind a blank or an equals sign, its number
+// with its unit.
 struct RateLine {
     Key key;
     std::string_view value;
@@ -128,7 +129,8 @@ struct RateLine {
 
 std::optional<RateLine> rate_line(std::string_view text) {
     const std::size_t digit = text.find_first_of("0123456789");
-    if (digit == 0 || digit == std::string_view::npos || text[digit - 1] != ' ') {
+    if (digit == 0 || digit == std::string_view::npos ||
+        (text[digit - 1] != ' ' && text[digit - 1] != '=')) {
         return std::nullopt;
     }
     RateLine found{key_of(text.substr(0, digit)), text.substr(digit)};

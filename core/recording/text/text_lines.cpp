@@ -383,8 +383,10 @@ bool TextRows::any_row(std::string_view line, bool ended) {
     }
     split_fields(line, format_.delimiter, fields_);
     const auto columns = static_cast<std::size_t>(format_.columns);
+    ended_ = ended;
     if (fields_.size() < columns && !ended) {
-        return false;  // the recorder stopped, or the copy was cut, within this line
+        cut_ = true;  // the recorder stopped, or the copy was cut, within this line
+        return false;
     }
     for (std::size_t i = columns; i < fields_.size() && !format_.has_remarks; ++i) {
         if (!fields_[i].empty() && parse_field(fields_[i], format_.decimal_comma)) {
@@ -442,6 +444,12 @@ bool TextRows::number(int column, double& value) {
 }
 
 bool TextRows::fail(int column) {
+    constexpr std::string_view within_a_number("0123456789+-.,eE");
+    if (!ended_ && column + 1 == std::ssize(fields_) &&
+        field(column).find_first_not_of(within_a_number) == std::string_view::npos) {
+        cut_ = true;
+        return false;
+    }
     fault_ = {ErrorCode::text_not_a_number, {count_arg(column + 1), short_quote(field(column))}};
     return false;
 }

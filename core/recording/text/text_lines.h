@@ -106,7 +106,8 @@ Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fau
 enum class SampleUse { read, check };
 
 // The rows of a table one after the other, from the lines of a block. An empty field is a missing
-// sample, NaN; a last line of the file that is cut off is left out.
+// sample, NaN; a last line of the file that is cut off, within a row or
+// its last number, is left out.
 class TextRows {
 public:
     // `format` and `block` must outlive the object.
@@ -127,6 +128,7 @@ public:
     const std::optional<TextFault>& fault() const { return fault_; }
     std::int64_t lines() const { return lines_; }      // begun so far: the row's own, from 1
     std::int64_t ignored() const { return ignored_; }  // comments among them
+    bool ends_within_row() const { return cut_; }      // the file, in the line last begun
 
 private:
     const char* plain_row(const char* at, const char* end);
@@ -155,6 +157,8 @@ private:
     std::optional<TextFault> fault_;
     std::int64_t lines_ = 0;
     std::int64_t ignored_ = 0;
+    bool ended_ = true;  // the line of any_row()
+    bool cut_ = false;
     std::vector<std::string_view> fields_;
 };
 

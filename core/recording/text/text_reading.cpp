@@ -122,6 +122,7 @@ BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, s
     found.fault = found.fault ? found.fault : rows.fault();
     found.lines = rows.lines();
     out.lines_ignored = rows.ignored();
+    out.ends_within_row = rows.ends_within_row();
     return found;
 }
 
@@ -195,6 +196,7 @@ private:
         }
         all.rows_with_missing += next.rows_with_missing;
         all.lines_ignored += next.lines_ignored;
+        all.ends_within_row = all.ends_within_row || next.ends_within_row;
     }
 
     const TextTable& table_;

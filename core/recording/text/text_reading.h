@@ -22,6 +22,7 @@ struct LeftOut {
     std::int64_t rows_with_missing = 0;  // rows that have one or two of them
     std::int64_t first_missing_row = -1;
     std::array<std::int64_t, 2> over_range{};  // of the missing samples, those of C and of D
+    bool ends_within_row = false;              // the file, which leaves that row out
 };
 
 // What one pass over a table finds, without keeping its numbers.

@@ -197,11 +197,23 @@ private:
             }
             put_named_first();
         } else if (array) {
+            TRY(check_no_other_of_its_size(variable(*array)));
             add_all_channels(*array);
         } else {
             return none_found(lengths.size());
         }
         return {};
+    }
+
+    Status check_no_other_of_its_size(const FileVariable& array) const {
+        const auto other =
+            std::find_if(&array + 1, &catalogue_.variables.back() + 1, [&](auto& of) {
+                return is_candidate(of) && of.frames == array.frames &&
+                       of.channels == array.channels;
+            });
+        return other > &catalogue_.variables.back()
+                   ? Status()
+                   : file_.error(ErrorCode::variables_ambiguous, {array.name + ", " + other->name});
     }
 
     // C before D where the names tell them apart, whatever their order in the file.
@@ -352,6 +364,7 @@ struct TimeSteps {
     bool is_time = false;  // rises, in steps below a second: else it counts something
     TimeResolution resolution;
     std::optional<EvenTimes> even;
+    bool is_even() const { return is_time && even && even->segments.size() == 1; }
 };
 
 constexpr double longest_step_s = 1;
@@ -407,8 +420,7 @@ public:
             TRY(check_times(found.own_rate->hz));
         } else if (choice_.time) {
             const auto steps = TRY(scan_times(job));
-            const bool even = steps.even && steps.even->segments.size() == 1;
-            if (steps.is_time && !even) {
+            if (steps.is_time && !steps.is_even()) {
                 return take_uneven(steps.resolution, found);
             }
             if (steps.is_time) {
@@ -421,28 +433,6 @@ public:
         auto source = TRY(reader_.source(c_, d_, choice_.frames));
         found.source = std::move(source);
         return {};
-    }
-
-private:
-    // Fills `out` with the times from the frame `first` on, in seconds.
-    Status read_times(std::int64_t variable, std::int64_t first, std::span<double> out) const {
-        const Status status = reader_.read({variable, 0}, first, out);
-        for (double& time : out) {
-            time *= choice_.time_unit_s;
-        }
-        return status;
-    }
-
-    // The first and the last of the times, s.
-    Result<std::array<double, 2>> ends_of(std::int64_t variable) const {
-        std::array<double, 2> found{};
-        TRY(read_times(variable, 0, std::span(found).first(1)));
-        TRY(read_times(variable, choice_.frames - 1, std::span(found).last(1)));
-        return found;
-    }
-
-    double mean_step(const std::array<double, 2>& ends) const {
-        return (ends[1] - ends[0]) / static_cast<double>(choice_.frames - 1);
     }
 
     // Reads all times once, block by block, holding none.
@@ -492,6 +482,28 @@ private:
         }
         steps.is_time = steps.even || !repeated;
         return steps;
+    }
+
+private:
+    // Fills `out` with the times from the frame `first` on, in seconds.
+    Status read_times(std::int64_t variable, std::int64_t first, std::span<double> out) const {
+        const Status status = reader_.read({variable, 0}, first, out);
+        for (double& time : out) {
+            time *= choice_.time_unit_s;
+        }
+        return status;
+    }
+
+    // The first and the last of the times, s.
+    Result<std::array<double, 2>> ends_of(std::int64_t variable) const {
+        std::array<double, 2> found{};
+        TRY(read_times(variable, 0, std::span(found).first(1)));
+        TRY(read_times(variable, choice_.frames - 1, std::span(found).last(1)));
+        return found;
+    }
+
+    double mean_step(const std::array<double, 2>& ends) const {
+        return (ends[1] - ends[0]) / static_cast<double>(choice_.frames - 1);
     }
 
     // All three columns at once, which only uneven times need: they are known after all of them.
@@ -556,22 +568,33 @@ private:
 Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalogue,
                                  const VariableReader& reader, const OpenOptions& options,
                                  const JobControl& job) {
-    const auto choice = TRY(VariableChooser(file, catalogue, options).choose());
+    auto choice = TRY(VariableChooser(file, catalogue, options).choose());
     const auto channels = static_cast<int>(choice.channels.size());
     TRY(check_channels(file, channels, options));
     TRY(check_frames(file, choice.frames));
+    // The columns behind times keep their numbers, by which others may have been chosen.
+    OpenOptions used = options;
+    if (options.channel_c == 1 && options.channel_d == 2 && !choice.time && channels > 2 &&
+        choice.channels[2].variable == choice.channels[0].variable) {
+        choice.time = choice.channels[0].variable;
+        const VariableOpening opening(file, catalogue, reader, choice, options);
+        const auto steps = TRY(opening.scan_times(job));
+        choice.time = steps.is_even() ? choice.time : std::nullopt;
+        used.channel_c += choice.time ? 1 : 0;
+        used.channel_d += choice.time ? 1 : 0;
+    }
     FoundSamples found;
     found.channels = choice.names;
     found.present_frames = choice.frames;
     found.never_closed = catalogue.not_closed;
-    const ChannelPlace& c = choice.channels[static_cast<std::size_t>(options.channel_c - 1)];
+    const ChannelPlace& c = choice.channels[static_cast<std::size_t>(used.channel_c - 1)];
     found.format = {
         FormatPart::name(catalogue.format),
         FormatPart::words(catalogue.variables[static_cast<std::size_t>(c.variable)].type),
         FormatPart::channels(channels)};
-    const VariableOpening opening(file, catalogue, reader, choice, options);
+    const VariableOpening opening(file, catalogue, reader, choice, used);
     TRY(opening.take_samples(job, found));
-    return complete_recording(file, std::move(found), options);
+    return complete_recording(file, std::move(found), used);
 }
 
 }  // namespace vybeg

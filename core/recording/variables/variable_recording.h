@@ -45,7 +45,7 @@ inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 // must each be one), or one array, whose channels all count. Without names: the longest array of
 // two channels or more, or all vectors of the greatest length that two or more share, whichever is
 // longer, with those named as C and D first; vectors named as times or, as pandas has them, index
-// do not count.
+// do not count. An array whose first column holds even times has C and D behind it.
 //
 // The rate: of the named variable; else of the attributes of C's; else of a single number with the
 // name of a rate or a sample period, from C's own struct or group first; without one, from the
@@ -53,8 +53,9 @@ inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 // are not even, the file is read whole and brought onto a uniform grid, as a text is.
 //
 // A file that is still being written, or was never closed, gets the diagnostic file_not_closed.
-// Errors: variable_missing, setting_invalid, format_unsupported, too_few_channels,
-// channel_out_of_range, too_few_frames, rate_unknown, interrupted; those of the reader.
+// Errors: variables_ambiguous where arrays have one size; variable_missing, setting_invalid,
+// format_unsupported, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown,
+// interrupted; those of the reader.
 Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalogue,
                                  const VariableReader& reader, const OpenOptions& options,
                                  const JobControl& job);

@@ -250,12 +250,38 @@ private slots:
     void a_last_line_that_was_cut_off_is_left_out() {
         const Folder folder;
         const std::string rows = "0,1,2\n0.001,3,4\n0.002,5,6\n0.003,7,8\n0.004,9,10\n";
-        for (const char* rest : {"0", "0.005", "0.005,1"}) {
+        for (const char* rest : {"0", "0.005", "0.005,1", "0.005,1,-", "0.005,1,2e"}) {
             const Recording recording = opened(folder.write("run", rows + rest));
             QCOMPARE(read_all(recording).d, (std::vector<double>{2, 4, 6, 8, 10}));
-            QVERIFY(recording.diagnostics.empty());
+            QCOMPARE(recording.diagnostics.size(), 1u);
+            QCOMPARE(recording.diagnostics[0].kind, DiagnosticKind::text_ends_within_row);
         }
-        QCOMPARE(opened(folder.write("run", rows + "0.005,1,2")).frames(), 6);
+        const Recording whole = opened(folder.write("run", rows + "0.005,1,2"));
+        QCOMPARE(whole.frames(), 6);
+        QVERIFY(whole.diagnostics.empty());
+        // A line with its end, or a word, is no cut.
+        for (const char* rest : {"0.005,1,-\n", "0.005,-,2", "0.005,1,x"}) {
+            const auto refused = open(folder.write("run", rows + rest));
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().code, ErrorCode::text_not_a_number);
+        }
+    }
+
+    void segments_with_headers_of_their_own_are_told() {
+        const Folder folder;
+        const std::string head = "Channels\t2\nX_Value\tC\tD\n";
+        std::string rows;
+        for (int i = 0; i < 20; ++i) {
+            rows +=
+                QString("%1\t%2\t%3\n").arg(0.001 * i).arg(3 * i % 5).arg(7 * i % 6).toStdString();
+        }
+        const auto refused = open(folder.write("run.lvm", head + rows + "\n" + head + rows));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::text_segments);
+        QCOMPARE(refused.error().args, std::vector<MessageArg>{"24"});
+        const auto word = open(folder.write("run.lvm", head + rows + "oops\t1\t2\n" + rows));
+        QVERIFY(!word);
+        QCOMPARE(word.error().code, ErrorCode::text_not_a_number);
     }
 
     void blank_lines_and_comments_inside_the_data_are_passed_over() {

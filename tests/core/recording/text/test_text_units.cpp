@@ -170,6 +170,38 @@ private slots:
         }
     }
 
+    void a_rate_above_unnamed_columns_names_none() {
+        const Folder folder;
+        std::string text = "# fs=33.333 kHz\n";
+        for (int i = 0; i < rows; ++i) {
+            text += QString("%1 %2\n")
+                        .arg(1.5 * std::cos(1.0023 * i), 0, 'g', 15)
+                        .arg(0.8 * std::sin(1.0023 * i), 0, 'g', 15)
+                        .toStdString();
+        }
+        const Recording recording = opened(folder.write("run.txt", text));
+        check_samples(recording);
+        QCOMPARE(recording.channels, (std::vector<Channel>{{"1", ""}, {"2", ""}}));
+        QVERIFY(!find(recording, DiagnosticKind::unit_of_one));
+    }
+
+    void separators_of_thousands_are_named() {
+        const Folder folder;
+        std::string text = "t;C;D\n";
+        for (int i = 0; i < rows; ++i) {
+            text += std::to_string(i) + ".5;-7,298." + std::to_string(100 + i) + ";41.25\n";
+        }
+        const auto refused = open(folder.write("run.csv", text));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::text_thousands);
+        // Two columns of integers and numbers.
+        std::string columns = "C,D\n";
+        for (int i = 0; i < rows; ++i) {
+            columns += std::to_string(i % 7) + "," + std::to_string(100 + i) + ".25\n";
+        }
+        QCOMPARE(opened(folder.write("run.csv", columns), {.rate_hz = rate_hz}).frames(), rows);
+    }
+
     void decimal_commas_between_commas_are_refused_data() {
         QTest::addColumn<QByteArray>("rows");
         QTest::addColumn<bool>("refused");

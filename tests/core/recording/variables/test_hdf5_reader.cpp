@@ -65,6 +65,13 @@ def several(f):
     f['ok'] = np.ones(len(c), bool)
     f['names'] = 'text'
 save('several.h5', several)
+def alike(f):
+    f['a/x'], f['b/x'], f['fs'] = np.stack([c, d], 1), np.stack([d, c], 1), fs
+save('alike.h5', alike)
+def rate_in_words(f):
+    f['x'] = np.stack([c, d], 1)
+    f['x'].attrs['fs'] = '33.333 kHz'
+save('rate_in_words.h5', rate_in_words)
 def ring(f):
     f['run/C'], f['run/D'], f['run/fs'] = c, d, fs
     f['run/back'] = f['/']
@@ -315,6 +322,7 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::newRow("a step in ms") << "step_in_ms.h5";
         QTest::newRow("a rate in kHz") << "rate_in_khz.h5";
+        QTest::newRow("a rate as a text") << "rate_in_words.h5";
     }
 
     void a_rate_may_have_a_unit() {
@@ -354,6 +362,15 @@ private slots:
         QCOMPARE(unequal.error().args,
                  (std::vector<MessageArg>{"--variables", "/b/C,short",
                                           "they have 33333 and 100 samples"}));
+    }
+
+    void arrays_of_one_size_are_chosen_from() {
+        const auto refused = open(folder_.file("alike.h5"));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::variables_ambiguous);
+        QCOMPARE(refused.error().args, std::vector<MessageArg>{"/a/x, /b/x"});
+        const Recording chosen = opened(folder_.file("alike.h5"), {.variables = {"b/x"}});
+        QCOMPARE(worst_difference(read_all(chosen).c, demo_.d), 0.0);
     }
 
     void other_channels_are_chosen_by_number() {

@@ -37,6 +37,8 @@ sio.savemat('cube.mat', {'x': np.zeros((100, 2, 3))})
 sio.savemat('alone.mat', {'C': c, 'fs': fs})
 sio.savemat('no_rate.mat', {'C': c, 'D': d})
 times = np.arange(len(c)) / fs
+sio.savemat('timed.mat', {'data': np.stack([times, c, d], 1), 'fs': fs})
+sio.savemat('timed_alone.mat', {'data': np.stack([times, c, d], 1)})
 for name, rate_d, late in (('together', fs, 0), ('two_rates', 2 * fs, 0), ('late', fs, 0.01)):
     sio.savemat(name + '_fs.mat', {'C': {'data': c, 'fs': fs}, 'D': {'data': d, 'fs': rate_d}})
     sio.savemat(name + '_t.mat', {'C': {'data': c, 't': times},
@@ -183,6 +185,20 @@ private slots:
         QVERIFY(!missing);
         QCOMPARE(missing.error().code, ErrorCode::variable_missing);
         QCOMPARE(missing.error().args, (std::vector<MessageArg>{"run.E", "run.C, run.D, run.fs"}));
+    }
+
+    void an_array_may_begin_with_its_times() {
+        for (const char* file : {"timed.mat", "timed_alone.mat"}) {
+            const Recording recording = opened(folder_.file(file));
+            VYBEG_CLOSE_RATIO(recording.rate_hz, 33333, 1e-9);
+            QCOMPARE(worst_difference(read_all(recording).c, demo_.c), 0.0);
+            QCOMPARE(worst_difference(read_all(recording).d, demo_.d), 0.0);
+            // Who chose by number has what was chosen.
+            const OpenOptions chosen{.channel_c = 3, .channel_d = 2};
+            const auto said = open(folder_.file(file), chosen);
+            QVERIFY(said || said.error().code == ErrorCode::rate_unknown);
+            QCOMPARE(said ? worst_difference(read_all(*said).c, demo_.d) : 0.0, 0.0);
+        }
     }
 
     void structs_of_different_times_are_refused() {
