@@ -314,8 +314,8 @@ private slots:
         const FitOptions told{.tolerance = {.kappa = 0}};
         const ResonatorFit before = fitted(runs, told);
         const ResonatorFit after = fitted(bent, told);
-        QCOMPARE(before.modes.size(), 2);
-        QCOMPARE(after.modes.size(), 2);
+        QCOMPARE(before.modes.size(), std::size_t{2});
+        QCOMPARE(after.modes.size(), std::size_t{2});
         for (std::size_t k = 0; k < 2; ++k) {
             const Estimate& one = before.modes[k].tau_s;
             QCOMPARE(before.modes[k].sensitivities.size(), mode_parameters.size());
