@@ -303,7 +303,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                     }
                 }
             }
-            found.clear = as_deviation((2 * (most - without.array())).max(0).sqrt().matrix());
+            found.clear = as_deviation((2 * (most - without.array())).max(0.0).sqrt().matrix());
         }
         const SharedNormal sum = trial(best);
         const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);
