@@ -78,22 +78,32 @@ std::string tolerances_text(const IdentifySettings& settings) {
 // By how much each parameter is wrong by an error of a usual size.
 std::string sensitivities_text(const ResonatorFit& fit) {
     std::string rows;
-    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
-        const ResonatorParameter& parameter = resonator_parameters[k];
-        const Estimate& estimate = fit.resonator.*parameter.member;
+    const auto add = [&rows](std::string row, const auto& parameter, const Estimate& estimate,
+                             const BySource& sensitivity) {
         if (!estimate.given()) {
-            continue;
+            return;
         }
         const bool angle = parameter.period > 0;
         const std::string unit = angle ? "deg" : parameter.unit;
-        std::string row = "  " + label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
+        row += label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
         row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
         for (const UsualError& error : usual_errors) {
-            const double change = error.size * fit.sensitivities[k][error.source];
+            const double change = error.size * sensitivity[error.source];
             const bool felt = std::abs(change) > negligible * estimate.sd;
             row += padded(felt ? short_text(angle ? change * degrees : change, 3) : "~0", 12);
         }
         rows += row + "\n";
+    };
+    for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
+        const ResonatorParameter& parameter = resonator_parameters[k];
+        add("  ", parameter, fit.resonator.*parameter.member, fit.sensitivities[k]);
+    }
+    for (std::size_t k = 0; k < fit.modes.size(); ++k) {
+        const ModeEstimate& mode = fit.modes[k];
+        for (std::size_t of = 0; of < mode.sensitivities.size(); ++of) {
+            add("  mode " + std::to_string(k + 1) + " ", mode_parameters[of],
+                mode.*mode_parameters[of].member, mode.sensitivities[of]);
+        }
     }
     if (rows.empty()) {
         return "";

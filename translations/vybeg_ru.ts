@@ -1672,7 +1672,7 @@
         <translation>Шум около несущей настолько узок, насколько это видно по невязке. Шум уже %1 Гц неотличим от самой волны: СКО могут быть занижены. Нужна более длинная запись или повторная.</translation>
     </message>
     <message>
-        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals{ (--delay), or state its tolerance (--tolerance)|, or state its tolerance}.</source>
+        <source>The quadrature of the recordings at their starts follows the angle, as an error of the channels makes it: %1, about %2. Split, axes and rotation may be off by more than their uncertainties. Measure it and correct the signals{ (a delay by --delay), or state its tolerance (--tolerance)|, or state its tolerance}.</source>
         <translation>Квадратура записей в их начале следует за углом, как при ошибке каналов: %1, около %2. Разночастотность, оси и вращение могут быть ошибочны больше своих неопределённостей. Измерьте её и исправьте сигналы или задайте её допуск.</translation>
     </message>
     <message>
@@ -1700,8 +1700,8 @@
         <translation>%1: фаза обоих каналов делает скачок на %2 рад в %3 с; там потеряны или повторены отсчёты. Подгонка оставляет фазу в этом месте свободной.</translation>
     </message>
     <message>
-        <source>%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, as where an amplifier changes its range. The fit leaves both gains open at that place.</source>
-        <translation>%1: усиление канала C меняется на %2 %, а канала D на %3 % в %4 с, как при переключении диапазона усилителя. Подгонка оставляет оба усиления в этом месте свободными.</translation>
+        <source>%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, as where %5. The fit leaves both gains open at that place; {--from|the start of the range} can leave out what is before it.</source>
+        <translation>%1: усиление канала C меняется на %2 %, а канала D на %3 % в %4 с, как %5. Подгонка оставляет оба усиления в этом месте свободными; то, что раньше, можно исключить началом диапазона.</translation>
     </message>
     <message>
         <source>%1: the wave changes by %2 % of itself at %3 s, as by a knock or as a drive ends. The fit leaves the wave open at that place.</source>
@@ -1744,8 +1744,8 @@
         <translation>Невязка такая, как при установлении частоты примерно на %1 Гц за %2 с; в модели этого нет: параметры резонатора могут быть ошибочны больше своих СКО. Исключите первые секунды из диапазона.</translation>
     </message>
     <message>
-        <source>The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a disturbance that folds there, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. Remove it with a narrower band-pass{ (--filter)}.</source>
-        <translation>В невязке линия около %1 Гц, %2 % волны: ещё одна мода или наложившаяся там помеха, которой в модели нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Уберите её более узким полосовым фильтром.</translation>
+        <source>The residual holds a line at about %1 Hz, %2 % of the wave: %3, which the model does not hold. Split, axes, rotation and the wave&apos;s own numbers may be off by more than their deviations. A narrower band-pass{ (--filter)} %4.</source>
+        <translation>В невязке линия около %1 Гц, %2 % волны: %3; в модели этого нет. Разночастотность, оси, вращение и числа самой волны могут быть ошибочны больше своих СКО. Более узкий полосовой фильтр %4.</translation>
     </message>
     <message>
         <source>The residual is that of an error of the channels that is taken as zero: %1, about %2. Calibrate it, or {tell its tolerance (--tolerance)|state its tolerance}.</source>
@@ -1880,8 +1880,8 @@
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>
     <message>
-        <source>The recordings differ by more than their noise: the decay rate by %1 %, the split by %2 %, the gain ratio by %3 % (standard deviations). The combined uncertainties hold this spread.</source>
-        <translation>Записи различаются больше, чем их шум: скорость затухания на %1 %, разночастотность на %2 %, отношение коэффициентов передачи на %3 % (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
+        <source>The recordings differ by more than their noise: %1 (standard deviations). The combined uncertainties hold this spread.</source>
+        <translation>Записи различаются больше, чем их шум: %1 (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
     </message>
     <message>
         <source>Two or three recordings do not show whether all are of one resonator. The combined uncertainties hold an assumed spread between them: of the decay rate by %1 %, of the split by %2 %, of the gain ratio by %3 %.</source>
@@ -4441,6 +4441,46 @@
     <message>
         <source>it is no free decay</source>
         <translation>это не свободный выбег</translation>
+    </message>
+    <message>
+        <source>a drive ends or an amplifier changes its range</source>
+        <translation>при отключении возбуждения или переключении диапазона усилителя</translation>
+    </message>
+    <message>
+        <source>an amplifier changes its range</source>
+        <translation>при переключении диапазона усилителя</translation>
+    </message>
+    <message>
+        <source>so close to the carrier the gain or the phase of a channel that settles or follows the amplitude, or another mode</source>
+        <translation>так близко к несущей это усиление или фаза канала, которые устанавливаются или следуют за амплитудой, либо ещё одна мода</translation>
+    </message>
+    <message>
+        <source>another mode, or a disturbance that folds there</source>
+        <translation>ещё одна мода или наложившаяся там помеха</translation>
+    </message>
+    <message>
+        <source>does not remove it: record after the channels have settled, or with a smaller amplitude</source>
+        <translation>её не уберёт: записывайте после установления каналов или с меньшей амплитудой</translation>
+    </message>
+    <message>
+        <source>removes it</source>
+        <translation>её уберёт</translation>
+    </message>
+    <message>
+        <source>the decay rate by %1 %</source>
+        <translation>скорость затухания на %1 %</translation>
+    </message>
+    <message>
+        <source>the split by %1 %</source>
+        <translation>разночастотность на %1 %</translation>
+    </message>
+    <message>
+        <source>the gain ratio by %1 %</source>
+        <translation>отношение коэффициентов передачи на %1 %</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>dry friction</source>

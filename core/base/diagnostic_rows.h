@@ -194,11 +194,11 @@ ROW(set_inconsistent, serious,
         "Message",
         "The recordings do not fit one resonator, and no single one of them makes the difference. "
         "Modes and resonator are refused: identify fewer recordings together."))
+// %1: which numbers differ, by how much (words).
 ROW(recordings_differ, warning,
     VYBEG_MESSAGE("Message",
-                  "The recordings differ by more than their noise: the decay rate by %1 %, the "
-                  "split by %2 %, the gain ratio by %3 % (standard deviations). The combined "
-                  "uncertainties hold this spread."))
+                  "The recordings differ by more than their noise: %1 (standard deviations). The "
+                  "combined uncertainties hold this spread."))
 // Two or three recordings; the spread is assumed.
 ROW(set_too_small, note,
     VYBEG_MESSAGE("Message",
@@ -278,12 +278,12 @@ ROW(misfit_settling, serious,
                   "The residual is that of a frequency that settles by about %1 Hz in %2 s, which "
                   "the model does not hold: the resonator's numbers may be off by more than their "
                   "deviations. Leave the first seconds out {(--from)|of the range}."))
+// %3: what it may be; %4: whether a filter helps (words).
 ROW(misfit_neighbour, serious,
     VYBEG_MESSAGE("Message",
-                  "The residual holds a line at about %1 Hz, %2 % of the wave: another mode, or a "
-                  "disturbance that folds there, which the model does not hold. Split, axes, "
-                  "rotation and the wave's own numbers may be off by more than their deviations. "
-                  "Remove it with a narrower band-pass{ (--filter)}."))
+                  "The residual holds a line at about %1 Hz, %2 % of the wave: %3, which the model "
+                  "does not hold. Split, axes, rotation and the wave's own numbers may be off by "
+                  "more than their deviations. A narrower band-pass{ (--filter)} %4."))
 // %1: the error as --tolerance names it. So in the next three.
 ROW(misfit_channel, serious,
     VYBEG_MESSAGE(
@@ -294,8 +294,8 @@ ROW(quadrature_by_channel, serious,
     VYBEG_MESSAGE("Message",
                   "The quadrature of the recordings at their starts follows the angle, as an error "
                   "of the channels makes it: %1, about %2. Split, axes and rotation may be off by "
-                  "more than their uncertainties. Measure it and correct the signals{ (--delay), "
-                  "or state its tolerance (--tolerance)|, or state its tolerance}."))
+                  "more than their uncertainties. Measure it and correct the signals{ (a delay "
+                  "by --delay), or state its tolerance (--tolerance)|, or state its tolerance}."))
 ROW(rotation_or_channel, serious,
     VYBEG_MESSAGE(
         "Message",
@@ -328,11 +328,13 @@ ROW(fitted_phase_step, warning,
     VYBEG_MESSAGE("Message",
                   "%1: the phase of both channels steps by %2 rad at %3 s; samples are lost or "
                   "doubled there. The fit leaves the phase open at that place."))
+// %5: by what (words).
 ROW(fitted_gain_step, warning,
     VYBEG_MESSAGE(
         "Message",
-        "%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, as where an "
-        "amplifier changes its range. The fit leaves both gains open at that place."))
+        "%1: the gain of channel C changes by %2 % and that of D by %3 % at %4 s, as where %5. The "
+        "fit leaves both gains open at that place; {--from|the start of the range} can leave out "
+        "what is before it."))
 ROW(fitted_knock, warning,
     VYBEG_MESSAGE("Message",
                   "%1: the wave changes by %2 % of itself at %3 s, as by a knock or as a drive "

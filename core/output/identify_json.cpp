@@ -64,6 +64,20 @@ Json sensitivity_json(const BySource& sensitivity) {
     return object;
 }
 
+Json modes_json(const std::vector<ModeEstimate>& modes) {
+    Json list = parameters_json(modes, mode_parameters);
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+        const ModeEstimate& mode = modes[k];
+        for (std::size_t of = 0; of < mode.sensitivities.size(); ++of) {
+            const ModeParameter& parameter = mode_parameters[of];
+            if ((mode.*parameter.member).given()) {
+                list[k][parameter.name]["sensitivity"] = sensitivity_json(mode.sensitivities[of]);
+            }
+        }
+    }
+    return list;
+}
+
 // The tolerances in u, and whether they are stated or assumed.
 Json tolerances_json(const IdentifySettings& settings) {
     Json object = Json::object();
@@ -327,7 +341,7 @@ std::string identify_json(const SetResult& result) {
         json["differences"] = differences_json(comparison->differences);
     }
     json["model"] = fit.model == ResonatorModel::structured ? "structured" : "free";
-    json["modes"] = parameters_json(fit.modes, mode_parameters);
+    json["modes"] = modes_json(fit.modes);
     json["modes_by"] = mode_order_name(fit.mode_order);
     if (fit.modes.empty()) {
         json["modes_reason"] = english(fit.no_modes);

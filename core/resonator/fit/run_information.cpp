@@ -239,12 +239,13 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                  bool follow, const JobControl& job) {
     constexpr double absurd = 30;  // deviations in units of the largest
     constexpr double plausible = 2.5;
+    constexpr double none = 1e-6;  // relative scatter
     const Eigen::Vector3d largest(largest_spread.decay, largest_spread.split, largest_spread.kappa);
     std::vector<Eigen::Vector3d> grid;
     for (int k = 0; k < 64; ++k) {
         const Eigen::Vector3d place = Eigen::Vector3i(k / 16, k / 4 % 4, k % 4).cast<double>();
         grid.emplace_back((place.array() == 0)
-                              .select(1e-6, largest.array() * Eigen::pow(4.0, place.array() - 3)));
+                              .select(none, largest.array() * Eigen::pow(4.0, place.array() - 3)));
     }
     FitProblem problem = start;
     std::vector<ScaledRun> moved(start.runs.begin(), start.runs.end());
@@ -252,7 +253,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
     const std::vector<Index> active = active_shared(problem);
     const auto shared = static_cast<Index>(active.size());
     std::vector<Eigen::Vector3d> deviation = deviations_of(moved);
-    Spread found{p, {}, {}, false};
+    Spread found{p, {}, {}, {}, false};
     Eigen::Vector3d best = largest;
     const int steps = follow ? 6 : 1;
     for (int step = 0; step < steps && !job.cancelled(); ++step) {
@@ -292,6 +293,17 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                 }
             }
             found.sd = as_deviation((variance / std::max(weight, 1e-300)).cwiseSqrt());
+            // The likelihood without each scatter, whatever the others are.
+            Eigen::Vector3d without =
+                Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+            for (std::size_t k = 0; k < grid.size(); ++k) {
+                for (Index of = 0; of < 3; ++of) {
+                    if (grid[k][of] < none * 1.5 && all[k] > without[of]) {
+                        without[of] = all[k];
+                    }
+                }
+            }
+            found.clear = as_deviation((2 * (most - without.array())).max(0.0).sqrt().matrix());
         }
         const SharedNormal sum = trial(best);
         const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);

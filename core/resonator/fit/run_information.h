@@ -39,6 +39,7 @@ struct Spread {
     Eigen::VectorXd p;                    // the set's parameters
     std::vector<RunDeviation> deviation;  // of each run
     RunDeviation sd;                      // root mean square over the likelihood of the grid
+    RunDeviation clear;                   // by the likelihood, deviates from no scatter
     bool explains = false;                // small deviations, and what is left agrees
 };
 

@@ -311,10 +311,20 @@ Diagnostic break_finding(const FittedBreak& found) {
         case BreakKind::phase:
             return {DiagnosticKind::fitted_phase_step,
                     {recording, number_arg(found.size[0], 3), at}};
-        case BreakKind::gain:
+        case BreakKind::gain: {
+            // The end of a drive changes the decay of both channels alike.
+            constexpr double alike = 0.2;
+            constexpr double first_s = 10;
+            const double larger = std::max(std::abs(found.size[0]), std::abs(found.size[1]));
+            const bool drive =
+                found.time_s < first_s && std::abs(found.size[0] - found.size[1]) < alike * larger;
             return {DiagnosticKind::fitted_gain_step,
                     {recording, number_arg(100 * found.size[0], 2),
-                     number_arg(100 * found.size[1], 2), at}};
+                     number_arg(100 * found.size[1], 2), at,
+                     drive ? words(VYBEG_MESSAGE("Words",
+                                                 "a drive ends or an amplifier changes its range"))
+                           : words(VYBEG_MESSAGE("Words", "an amplifier changes its range"))}};
+        }
         case BreakKind::start:
             return {DiagnosticKind::fitted_knock,
                     {recording, number_arg(100 * found.size[0], 2), at}};

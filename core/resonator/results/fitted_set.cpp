@@ -56,9 +56,15 @@ Eigen::VectorXd wrong_by(const FittedSet& set, int error) {
 
 // Position of a parameter among the quantities, and the factor from one to the other.
 struct Place {
-    SharedQuantity quantity;
+    Index quantity;
     double factor;
 };
+
+// From a decay rate to its tau, and to Q.
+std::array<Place, 2> decay_places(const ReportedVariances& at, Index decay, double f_hz) {
+    const double by_decay = -1 / (at.value[decay] * at.value[decay]);
+    return {{{decay, by_decay}, {decay, pi * f_hz * by_decay}}};
+}
 
 // In the order of resonator_parameters.
 using Places = std::array<Place, resonator_parameters.size()>;
@@ -68,13 +74,12 @@ static_assert(resonator_parameters[3].member == &ResonatorEstimate::tau_s &&
 Places places_of(const FittedSet& set) {
     const ReportedVariances& at = set.variances;
     const double f_ref_hz = set.context.mean_f_ref_hz();
-    const double by_decay = -1 / (at.value[decay_of] * at.value[decay_of]);
-    const double by_q = pi * (f_ref_hz + at.value[f_mean_of]) * by_decay;
+    const auto [tau, q] = decay_places(at, decay_of, f_ref_hz + at.value[f_mean_of]);
     return {{{f_mean_of, 1},
              {split_of, 1},
              {theta_w_of, 1},
-             {decay_of, by_decay},
-             {decay_of, by_q},
+             tau,
+             q,
              {damping_of, 1},
              {theta_tau_of, 1},
              {angle_rate_of, 1},
@@ -195,7 +200,13 @@ std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEsti
     return all;
 }
 
-std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out) {
+namespace {
+
+// Errors of the active parameters per unit of each error: one column, or two of which the worst
+// direction counts.
+using WrongBySource = std::array<Eigen::MatrixXd, error_sources>;
+
+WrongBySource wrong_by_source(const FittedSet& set) {
     const ReportedVariances& at = set.variances;
     const FitProblem& problem = *set.problem;
     // In units of the largest power of a set.
@@ -205,7 +216,7 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
             most_power = std::max(most_power, z.squaredNorm() / run.power_kept);
         }
     }
-    std::array<Eigen::MatrixXd, error_sources> wrong;
+    WrongBySource wrong;
     for (const ChannelError& error : channel_errors) {
         wrong[error.source] = wrong_by(set, error.parameter);
     }
@@ -223,6 +234,27 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
     effect(pickoff_error, both_pickoffs, 1 / most_power);
     effect(springs_error, springs_effect(problem, set.posterior), 1 / most_power);
     effect(eighth_error, eighth_effect(problem, set.posterior), 1);
+    return wrong;
+}
+
+BySource sensitivity(const FittedSet& set, const WrongBySource& wrong, const Place& place) {
+    BySource out{};
+    const auto gradient = set.variances.gradient.row(place.quantity);
+    for (std::size_t source = 0; source < wrong.size(); ++source) {
+        const Eigen::MatrixXd& by = wrong[source];
+        if (by.cols() == 1) {
+            out[source] = place.factor * gradient.dot(by.col(0));
+        } else if (by.cols() > 1) {
+            out[source] = std::abs(place.factor) * (gradient * by).norm();
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out) {
+    const WrongBySource wrong = wrong_by_source(set);
     std::vector<BySource> all(resonator_parameters.size(), BySource{});
     const Places places = places_of(set);
     for (std::size_t of = 0; of < all.size(); ++of) {
@@ -230,17 +262,21 @@ std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimat
             all[of].fill(std::numeric_limits<double>::quiet_NaN());
             continue;
         }
-        const auto& [quantity, factor] = places[of];
-        for (std::size_t source = 0; source < wrong.size(); ++source) {
-            const Eigen::MatrixXd& by = wrong[source];
-            if (by.cols() == 1) {
-                all[of][source] = factor * at.gradient.row(quantity).dot(by.col(0));
-            } else if (by.cols() > 1) {
-                all[of][source] = std::abs(factor) * (at.gradient.row(quantity) * by).norm();
-            }
-        }
+        all[of] = sensitivity(set, wrong, places[of]);
     }
     return all;
+}
+
+void add_sensitivities(const FittedSet& set, std::vector<ModeEstimate>& modes) {
+    const WrongBySource wrong = wrong_by_source(set);
+    Index k = 0;
+    for (ModeEstimate& mode : modes) {
+        const auto [tau, q] = decay_places(set.variances, mode_decay_of + k, mode.f_hz.value);
+        for (const Place& place : {Place{mode_f_of + k, 1}, tau, q}) {
+            mode.sensitivities.push_back(sensitivity(set, wrong, place));
+        }
+        ++k;
+    }
 }
 
 }  // namespace vybeg

@@ -78,6 +78,9 @@ Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance
 // resonator_parameters; NaN if a parameter is not given.
 std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator);
 
+// The same of the numbers of each mode.
+void add_sensitivities(const FittedSet& set, std::vector<ModeEstimate>& modes);
+
 // Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
 // order. Zeros if a parameter is not given.
 std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator);

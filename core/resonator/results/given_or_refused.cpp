@@ -274,6 +274,9 @@ private:
             mode.q = quality(mode_decay_of + k, mode.f_hz.value, mode.tau_s);
             fit_.modes.push_back(mode);
         }
+        if (set_.model == ResonatorModel::structured) {
+            add_sensitivities(set_, fit_.modes);
+        }
     }
 
     // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start,

@@ -274,6 +274,19 @@ Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<cons
     return best;
 }
 
+// `near`: closer to the wave than a filter separates.
+std::vector<MessageArg> line_args(const Line& line, int digits, bool near) {
+    return {number_arg(line.f_hz, digits), number_arg(line.per_cent, 2),
+            near ? words(VYBEG_MESSAGE("Words",
+                                       "so close to the carrier the gain or the phase of a channel "
+                                       "that settles or follows the amplitude, or another mode"))
+                 : words(VYBEG_MESSAGE("Words", "another mode, or a disturbance that folds there")),
+            near ? words(VYBEG_MESSAGE("Words",
+                                       "does not remove it: record after the channels have "
+                                       "settled, or with a smaller amplitude"))
+                 : words(VYBEG_MESSAGE("Words", "removes it"))};
+}
+
 }  // namespace
 
 MessageArg friction_words(double exponent) {
@@ -351,12 +364,10 @@ std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& p
     }
     const Line line = strongest_line(set, posterior, f_ref_hz, job);
     best = std::max(most_by_line * beyond, least_fall);
-    consider(line.fall, DiagnosticKind::misfit_neighbour,
-             {number_arg(line.f_hz, 6), number_arg(line.per_cent, 2)});
+    consider(line.fall, DiagnosticKind::misfit_neighbour, line_args(line, 6, false));
     if (!cause) {
         const Line near = nearest_line(problem, posterior, f_ref_hz, job);
-        consider(near.fall, DiagnosticKind::misfit_neighbour,
-                 {number_arg(near.f_hz, 8), number_arg(near.per_cent, 2)});
+        consider(near.fall, DiagnosticKind::misfit_neighbour, line_args(near, 8, true));
     }
     return cause;
 }

@@ -26,6 +26,8 @@ struct ModeEstimate {
     Estimate f_hz;
     Estimate tau_s;
     Estimate q;
+    // Of these three, as ResonatorFit::sensitivities; empty for the free model.
+    std::vector<BySource> sensitivities;
 };
 
 struct ResonatorEstimate {

@@ -173,6 +173,7 @@ public:
                     return out;
                 }
                 out.verdict = SetVerdict::spread;
+                out.clear = spread.clear;
                 out.deviation = std::move(spread.deviation);
                 out.p = std::move(spread.p);
                 return out;
@@ -422,6 +423,31 @@ MessageArg either(const std::vector<std::size_t>& runs) {
     return list;
 }
 
+// The numbers that scatter by three deviates, or by the most.
+MessageArg differing(const SetExamination& examination) {
+    constexpr double clearly = 3;
+    const RunDeviation& clear = examination.clear;
+    const RunDeviation& sd = examination.spread;
+    const double least = std::min(clearly, std::max({clear.decay, clear.split, clear.kappa}));
+    std::vector<MessageArg> named;
+    const auto name = [&](double deviate, const char* text, double size) {
+        if (deviate >= least) {
+            named.push_back(words(text, {number_arg(100 * size, 2)}));
+        }
+    };
+    name(clear.decay, VYBEG_MESSAGE("Words", "the decay rate by %1 %"), sd.decay);
+    name(clear.split, VYBEG_MESSAGE("Words", "the split by %1 %"), sd.split);
+    name(clear.kappa, VYBEG_MESSAGE("Words", "the gain ratio by %1 %"), sd.kappa);
+    if (named.empty()) {  // not finite
+        return {};
+    }
+    MessageArg list = named.front();
+    for (std::size_t k = 1; k < named.size(); ++k) {
+        list = words(VYBEG_MESSAGE("Words", "%1, %2"), {list, named[k]});
+    }
+    return list;
+}
+
 }  // namespace
 
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
@@ -448,7 +474,9 @@ void add_findings(const SetExamination& examination, bool assumed, ResonatorFit&
                 add(DiagnosticKind::set_too_small, sizes);
             }
             break;
-        case SetVerdict::spread: add(DiagnosticKind::recordings_differ, sizes); break;
+        case SetVerdict::spread:
+            add(DiagnosticKind::recordings_differ, {differing(examination)});
+            break;
         case SetVerdict::refused: add(DiagnosticKind::set_inconsistent, {}); break;
         case SetVerdict::foreign:
         case SetVerdict::several:

@@ -29,6 +29,7 @@ struct SetExamination {
     std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
     Eigen::VectorXd p;                    // likewise: the set's parameters
     RunDeviation spread;                  // sd of the deviations; of small sets, too
+    RunDeviation clear;                   // of verdict `spread`: as Spread::clear
     // Largest variance of a run's noise in the fit of this run alone, in units of its windows'.
     double own_noise = 1;
 

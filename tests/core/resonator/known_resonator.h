@@ -79,6 +79,12 @@ inline ChannelTolerance drawn_from(const ChannelTolerance& tolerance, std::uint6
     return size;
 }
 
+// nullptr: none.
+inline const Diagnostic* warning_of(const ResonatorFit& fit, DiagnosticKind kind) {
+    const auto found = std::ranges::find(fit.warnings, kind, &Diagnostic::kind);
+    return found == fit.warnings.end() ? nullptr : &*found;
+}
+
 inline bool warns(const ResonatorFit& fit, DiagnosticKind kind) {
     return std::ranges::any_of(fit.warnings,
                                [kind](const Diagnostic& known) { return known.kind == kind; });

@@ -25,11 +25,6 @@ FreeDecay resonator() {
     return decay;
 }
 
-const Diagnostic* warning_of(const ResonatorFit& fit, DiagnosticKind kind) {
-    const auto found = std::ranges::find(fit.warnings, kind, &Diagnostic::kind);
-    return found == fit.warnings.end() ? nullptr : &*found;
-}
-
 constexpr std::array kinds{DiagnosticKind::prior_left, DiagnosticKind::quadrature_by_channel,
                            DiagnosticKind::misfit_channel, DiagnosticKind::anisotropy_not_passive};
 

@@ -136,6 +136,26 @@ private slots:
         }
     }
 
+    // Both channels alike in the first seconds; later, or of one channel, it is an amplifier's.
+    void a_drive_that_ends_is_named_beside_an_amplifier() {
+        for (const double at_s : {1.4, 12.3}) {
+            for (const double of_c : {0.0, 1.0}) {
+                FreeDecay gyro = reference();
+                gyro.split_hz = 1e-3;
+                gyro.theta_w = 0.3;
+                std::vector<PhasorRun> runs = set_of(gyro, four_angles, 500, 61);
+                gains_at(runs[1], at_s, of_c * 0.05, 0.05);
+                const ResonatorFit fit = fitted(runs);
+                const Diagnostic* found = warning_of(fit, DiagnosticKind::fitted_gain_step);
+                QVERIFY(found != nullptr);
+                const QString text = QString::fromStdString(english(*found));
+                QVERIFY2(text.contains("a drive ends") == (at_s < 10 && of_c > 0),
+                         qPrintable(text));
+                QVERIFY2(text.contains("--from"), qPrintable(text));
+            }
+        }
+    }
+
     // Both gains, or that of D alone, of sizes from a tenth of an LSB of 12 bits on.
     void a_gain_step_is_found_and_the_numbers_are_right() {
         std::uint64_t seed = 40;

@@ -91,6 +91,23 @@ private slots:
         }
     }
 
+    void onlyNumbersThatDifferAreNamed() {
+        FreeDecay decay = reference();
+        decay.split_hz = 1e-3;
+        decay.theta_w = 0.2;
+        std::vector<PhasorRun> runs;
+        for (const double angle : {3.0, 21.0, 39.0, 57.0, 75.0}) {
+            decay.tau_s = 100 / (1 + 0.01 * static_cast<double>(runs.size()) / 4);
+            runs.push_back(set_of(decay, {angle}, 1000, 1 + runs.size()).front());
+        }
+        const ResonatorFit fit = fitted(runs);
+        const Diagnostic* found = warning_of(fit, DiagnosticKind::recordings_differ);
+        QVERIFY(found != nullptr);
+        const QString text = QString::fromStdString(english(*found));
+        QVERIFY2(text.contains("the decay rate by"), qPrintable(text));
+        QVERIFY2(!text.contains("split") && !text.contains("gain"), qPrintable(text));
+    }
+
     // Rates that a still wave does not see feign the drift; a fit that begins with them ends at a
     // rotation of 0.26 rad/s.
     void aSmallSplitDoesNotHideADrift() {

@@ -288,6 +288,44 @@ private slots:
         }
     }
 
+    // Pick-offs alike, whose gain falls with the amplitude, change the decay of each mode as told.
+    void modes_have_the_sensitivity_to_the_pickoffs() {
+        constexpr double share = 1e-3;
+        FreeDecay decay = reference();
+        decay.split_hz = 1e-2;
+        decay.theta_w = 0.2;
+        decay.damping_anisotropy_per_s = 2e-4;
+        decay.theta_tau = -0.1;
+        const std::vector<PhasorRun> runs = set_of(decay, four_angles, 1000, 4);
+        std::vector<PhasorRun> bent = runs;
+        double most = 0;
+        for (const PhasorRun& run : runs) {
+            for (std::size_t k = 0; k < run.c.size(); ++k) {
+                most = std::max(most, std::norm(run.c[k]) + std::norm(run.d[k]));
+            }
+        }
+        for (PhasorRun& run : bent) {
+            for (std::vector<std::complex<double>>* channel : {&run.c, &run.d}) {
+                for (std::complex<double>& each : *channel) {
+                    each *= 1 + share * std::norm(each) / most;
+                }
+            }
+        }
+        const FitOptions told{.tolerance = {.kappa = 0}};
+        const ResonatorFit before = fitted(runs, told);
+        const ResonatorFit after = fitted(bent, told);
+        QCOMPARE(before.modes.size(), std::size_t{2});
+        QCOMPARE(after.modes.size(), std::size_t{2});
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Estimate& one = before.modes[k].tau_s;
+            QCOMPARE(before.modes[k].sensitivities.size(), mode_parameters.size());
+            const double expected = share * before.modes[k].sensitivities[1][pickoff_error];
+            VYBEG_LESS(3 * one.sd, std::abs(expected));
+            VYBEG_CLOSE(after.modes[k].tau_s.value - one.value, expected,
+                        0.1 * std::abs(expected) + 0.1 * one.sd);
+        }
+    }
+
     // Row 14: with a tolerance the combined uncertainty holds the error.
     void a_tolerance_holds_the_error() {
         FreeDecay decay = reference();

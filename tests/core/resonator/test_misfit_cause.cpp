@@ -168,6 +168,7 @@ private slots:
                     const Diagnostic* cause = named(fit);
                     QVERIFY(cause != nullptr);
                     QVERIFY(cause->kind == DiagnosticKind::misfit_neighbour);
+                    QCOMPARE(english(cause->args[3]), std::string("removes it"));
                     const double found = std::stod(english(cause->args[0]));
                     VYBEG_CLOSE(found - 5300, off_hz, 0.1, english(cause->args[0]).c_str());
                     const double per_cent = std::stod(english(cause->args[1]));
