@@ -1824,6 +1824,10 @@
         <translation>Прервано; готово наборов: %2 из %3.</translation>
     </message>
     <message>
+        <source>The column &quot;%1&quot; of the list is kept as it is and changes nothing. Did you mean &quot;%2&quot;? Rename it then.</source>
+        <translation>Столбец «%1» списка сохраняется как есть и ничего не меняет. Имеется в виду «%2»? Тогда переименуйте его.</translation>
+    </message>
+    <message>
         <source>The table&apos;s field &quot;%1&quot; (%2) begins as a formula does, and a table program that opens the results runs it.</source>
         <translation>Поле таблицы «%1» (%2) начинается как формула, и табличная программа, открыв результаты, её выполнит.</translation>
     </message>

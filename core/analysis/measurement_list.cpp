@@ -67,6 +67,22 @@ std::string column_name(const std::string& name) {
     return placeholder_of(usual) ? usual : name;
 }
 
+// The column with an effect whose name an unknown one resembles; empty: none.
+std::string option_like(const std::string& name) {
+    std::vector<std::string> known{"file", "set"};
+    known.insert(known.end(), conditions.begin(), conditions.end());
+    const auto add = [&known](const auto& rows) {
+        for (const auto& row : rows) {
+            known.push_back(row.name);
+        }
+    };
+    add(open_settings());
+    add(identify_settings());
+    const auto found = std::ranges::find_if(
+        known, [&name](const std::string& each) { return names_resemble(name, each); });
+    return found == known.end() ? "" : *found;
+}
+
 class Reader {
 public:
     Reader(CsvRows table, std::filesystem::path folder, const ListDefaults& defaults)
@@ -103,6 +119,9 @@ private:
             if (!name.empty() && name != "file" && name != "set" && !is_one_of(conditions, name) &&
                 !placeholder_of(name)) {
                 list_.other_columns.push_back(name);
+                if (const std::string option = option_like(name); !option.empty()) {
+                    list_.warnings.push_back({DiagnosticKind::column_like_option, {name, option}});
+                }
             }
         }
         if (table_.rows.empty()) {

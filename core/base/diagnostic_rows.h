@@ -356,6 +356,10 @@ ROW(other_gyro, serious,
                   "differences are no changes of one resonator."))
 // %1: option of the command line; %2: why.
 ROW(option_without_effect, warning, VYBEG_MESSAGE("Message", "%1 has no effect: %2."))
+ROW(column_like_option, warning,
+    VYBEG_MESSAGE("Message",
+                  "The column \"%1\" of the list is kept as it is and changes nothing. Did you "
+                  "mean \"%2\"? Rename it then."))
 ROW(formula_in_list, warning,
     VYBEG_MESSAGE(
         "Message",

@@ -222,6 +222,25 @@ private slots:
         QVERIFY(read.sets[2].settings.logs == LogChoice{});
     }
 
+    void a_column_that_resembles_an_option_is_kept_and_warned_of() {
+        const std::pair<const char*, const char*> pairs[]{
+            {"filtre", "filter"}, {"chanels", "channels"},     {"Kapa", "kappa"},
+            {"dealy", "delay"},   {"windw", "window"},         {"temprature_c", "temperature_c"},
+            {"files", "file"},    {"angel zero", "angle-zero"}};
+        for (const auto& [name, option] : pairs) {
+            const MeasurementList read = list(QByteArray("file,") + name + "\na.wav,1\n");
+            QCOMPARE(read.other_columns, (std::vector<std::string>{name}));
+            QCOMPARE(read.warnings.size(), 1U);
+            QVERIFY(read.warnings[0].kind == DiagnosticKind::column_like_option);
+            QCOMPARE(english(read.warnings[0].args[1]), std::string(option));
+            // Said without being asked for.
+            QVERIFY(severity(read.warnings[0].kind) == Severity::warning);
+        }
+        for (const char* const name : {"lot", "note", "to2", "serial", "offsets2", "tau"}) {
+            QVERIFY2(list(QByteArray("file,") + name + "\na.wav,1\n").warnings.empty(), name);
+        }
+    }
+
     void a_row_goes_before_the_command_line_which_goes_before_nothing() {
         ListDefaults line;
         line.settings.signal.from_s = 1;
