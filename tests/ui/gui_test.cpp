@@ -4,6 +4,8 @@
 #include "ui/window/file_commands.h"
 #include "ui/window/tracks_page.h"
 
+#include <QDropEvent>
+#include <QMimeData>
 #include <QTabWidget>
 #include <QTest>
 
@@ -54,6 +56,22 @@ std::unique_ptr<MainWindow> shownWindow() {
 bool WindowTest::idle(std::size_t analyses) {
     return QTest::qWaitFor(
         [&] { return !document().busy() && document().analyses().size() == analyses; }, 20000);
+}
+
+bool dropFiles(QWidget& target, const QStringList& paths) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& path : paths) {
+        urls << QUrl::fromLocalFile(path);
+    }
+    data.setUrls(urls);
+    // Qt sends the drop to the widget that has taken the drag.
+    const QPoint at(20, 20);
+    QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&target, &enter);
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&target, &drop);
+    return enter.isAccepted();
 }
 
 bool savedTo(MainWindow& window, const QString& path) {

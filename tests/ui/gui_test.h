@@ -62,6 +62,9 @@ protected:
     std::unique_ptr<MainWindow> window_;
 };
 
+// Drags files onto a widget and drops them there; whether it takes them.
+bool dropFiles(QWidget& target, const QStringList& paths);
+
 // Whether the window's session is in a file, as a person sees it after saving.
 bool savedTo(MainWindow& window, const QString& path);
 

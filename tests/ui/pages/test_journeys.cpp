@@ -15,9 +15,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDropEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
 
@@ -78,18 +76,7 @@ class TestJourneys : public QObject, private WindowTest {
 
     void drop(const QStringList& files) {
         ++actions_;
-        QMimeData data;
-        QList<QUrl> urls;
-        for (const QString& file : files) {
-            urls << QUrl::fromLocalFile(file);
-        }
-        data.setUrls(urls);
-        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(dropFiles(*window_, files));
     }
 
     // Presses Open of a dialog as soon as it can be pressed.

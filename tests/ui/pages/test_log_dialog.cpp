@@ -22,12 +22,10 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QDropEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
@@ -183,11 +181,8 @@ private slots:
         tellPhasors();
         acceptAndWait();
         const SetId id = sets().current()->id;
-        const QString second = phasors("second", 1.1);
-        QMimeData urls;
-        urls.setUrls({QUrl::fromLocalFile(second)});
-        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &urls, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(childOf<SetTree>(*window_, "sets").viewport(), &dropped);
+        auto& tree = childOf<SetTree>(*window_, "sets");
+        QVERIFY(dropFiles(*tree.viewport(), {phasors("second", 1.1)}));
         opened();
         QCOMPARE(dialog()->files().size(), 2);
         // Nothing is asked again.
@@ -204,7 +199,6 @@ private slots:
         QCOMPARE(sets().measured(*sets().current()).recordings.size(), std::size_t(1));
         QCOMPARE(outcome().identification.runs.size(), std::size_t(1));
         document().undoStack().redo();
-        auto& tree = childOf<SetTree>(*window_, "sets");
         tree.setCurrentItem(tree.members().front());
         QTest::keyClick(&tree, Qt::Key_Delete);
         QCOMPARE(tree.members().size(), std::size_t(1));

@@ -13,9 +13,7 @@
 #include "ui/window/file_commands.h"
 
 #include <QComboBox>
-#include <QDropEvent>
 #include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
 #include <QtTest>
 
@@ -46,23 +44,13 @@ class TestOpenedList : public QObject, private WindowTest {
 
     QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }
 
-    void drop(const QString& path) {
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(path)});
-        QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window_.get(), &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QApplication::sendEvent(window_.get(), &event);
-    }
-
 private slots:
     void init() { window_ = shownWindow(); }
     void cleanup() { window_.reset(); }
 
     // Drop it, see the sets with their conditions, identify, take the sets back.
     void a_dropped_list_becomes_sets() {
-        drop(list("dropped.csv"));
+        QVERIFY(dropFiles(*window_, {list("dropped.csv")}));
         QCOMPARE(sets().all().size(), std::size_t(2));
         // The same file under other options is another recording; here the options are the same.
         waitUntilOpen(2);

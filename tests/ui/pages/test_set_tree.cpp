@@ -5,9 +5,7 @@
 #include "ui/panels/ledger.h"
 #include "ui/resonator/set_panel.h"
 
-#include <QDropEvent>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QTest>
 
 namespace test_set_tree {
@@ -40,16 +38,6 @@ class TestSetTree : public QObject, private WindowTest {
         return found;
     }
 
-    void drop(QMimeData& data) {
-        QWidget* target = the<SetTree>("sets").viewport();
-        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent dropped(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(target, &dropped);
-    }
-
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() { window_ = shownWindow(); }
@@ -61,9 +49,7 @@ private slots:
         QCOMPARE(setStore().current()->recordings, ids());
         setStore().addToCurrent(ids());  // once more changes nothing
         QCOMPARE(the<SetTree>("sets").members().size(), std::size_t(2));
-        QMimeData urls;
-        urls.setUrls({QUrl::fromLocalFile(files_[1]), QUrl::fromLocalFile(files_[2])});
-        drop(urls);
+        QVERIFY(dropFiles(*the<SetTree>("sets").viewport(), {files_[1], files_[2]}));
         QTRY_VERIFY_WITH_TIMEOUT(document().recordings().size() == 3 && allOpen(), 20000);
         QCOMPARE(setStore().current()->recordings, ids());
         QCOMPARE(the<SetTree>("sets").members().size(), std::size_t(3));

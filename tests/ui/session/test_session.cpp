@@ -11,13 +11,11 @@
 #include "ui/window/main_window.h"
 #include "ui/window/window_menus.h"
 
-#include <QDropEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTest>
 
@@ -368,12 +366,7 @@ private slots:
         QTRY_VERIFY(QFile::exists(path));
         session().end();
         window_ = shownWindow();
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(path)});
-        QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(window_.get(), &enter);
-        QDropEvent drop({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
-        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(dropFiles(*window_, {path}));
         wait(4);
         QCOMPARE(session().path(), path);
     }

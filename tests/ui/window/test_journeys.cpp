@@ -108,16 +108,15 @@ private slots:
     void a_day_by_keyboard_alone() {
         open(files_);
         press(Qt::Key_1, Qt::ControlModifier);
-        press(Qt::Key_F5);
-        QVERIFY(idle(5));
-        press(Qt::Key_Z, Qt::ControlModifier);
-        QTRY_COMPARE(document().analyses().size(), std::size_t(4));
-
         const auto named = [](const char* name) {
             return [name](const QWidget& widget) {
                 return widget.accessibleName() == QLatin1String(name);
             };
         };
+        QVERIFY(reach(*window_, named("Length")));
+        type(*window_, "120");
+        press(Qt::Key_F5);
+        QVERIFY(idle(5));
         auto& tracks = the<TrackView>();
         for (const auto& [name, time] :
              {std::pair{"Time of cursor A", "1"}, std::pair{"Time of cursor B", "3"}}) {
@@ -147,6 +146,12 @@ private slots:
         QTRY_COMPARE(tracks.valueRange(SlowVariable::a_A), (AxisRange{0.25, 0.75}));
         press(Qt::Key_Left, Qt::AltModifier);
         QTRY_COMPARE(tracks.valueRange(SlowVariable::a_A), whole);
+
+        // The analysis and the length of its window.
+        press(Qt::Key_Z, Qt::ControlModifier);
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(document().analyses().size(), std::size_t(4));
+        QCOMPARE(document().settings().window, std::int64_t{60});
 
         press(Qt::Key_F7);
         QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));

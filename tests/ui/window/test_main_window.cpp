@@ -50,15 +50,7 @@ private slots:
     void cleanup() { window_.reset(); }
 
     void files_are_opened_by_dropping_them() {
-        QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(home_.recording("drop1.wav")),
-                      QUrl::fromLocalFile(home_.recording("drop2.wav"))});
-        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &enter);
-        QVERIFY(enter.isAccepted());
-        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(dropFiles(*window_, {home_.recording("drop1.wav"), home_.recording("drop2.wav")}));
         QVERIFY(idle(2));
         QCOMPARE(the<TrackView>().analyses().size(), std::size_t(2));
         QCOMPARE(the<TrackView>().shownVariables().size(), std::size_t(5));
@@ -66,8 +58,7 @@ private slots:
 
     void two_files_of_one_channel_dropped_together_are_one_recording() {
         const QTemporaryDir folder;
-        QMimeData data;
-        QList<QUrl> urls;
+        QStringList files;
         for (const char* name : {"run_D.csv", "run_C.csv"}) {
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::WriteOnly));
@@ -77,14 +68,9 @@ private slots:
                 file.write(QByteArray::number(1e-4 * i, 'f', 6) + ',' +
                            QByteArray::number(std::cos(0.9 * i + shift), 'f', 6) + '\n');
             }
-            urls << QUrl::fromLocalFile(folder.filePath(name));
+            files << folder.filePath(name);
         }
-        data.setUrls(urls);
-        QDragEnterEvent enter(QPoint(700, 400), Qt::CopyAction, &data, Qt::LeftButton,
-                              Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &enter);
-        QDropEvent drop(QPointF(700, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(window_.get(), &drop);
+        QVERIFY(dropFiles(*window_, files));
         QTRY_VERIFY(window_->findChild<ImportDialog*>());
         auto& dialog = the<ImportDialog>();
         auto* open = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open);
