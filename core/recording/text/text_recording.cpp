@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -90,7 +91,7 @@ Error segments_error(const std::shared_ptr<const FileBytes>& file, const Error& 
     const auto format = head ? guess_text_format(head->lines, {}) : std::nullopt;
     const auto above = static_cast<std::ptrdiff_t>(format ? format->lines_to_skip : 0);
     const bool again =
-        format &&
+        format && std::stoll(error.args[0].text) > above &&  // or a choice calls the header a row
         std::any_of(head->lines.begin(), head->lines.begin() + above, [&](const std::string& line) {
             const auto fields = header_fields(line, format->delimiter);
             return !fields.empty() && short_quote(fields.front()) == error.args[2].text;
