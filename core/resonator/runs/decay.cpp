@@ -263,6 +263,8 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector
     double fitted = 0;
     double difference = 0;  // of measured and expected logarithm
     double square = 0;
+    double level = 0;  // of the measured logarithm
+    double level_square = 0;
     for_windows([&](std::size_t k, double power, double weight) {
         const double t = run.time_s[k] - mean_t;
         spread += weight * t * t;
@@ -271,12 +273,16 @@ EnvelopeDecay envelope_decay(const ScaledRun& run, std::span<const Eigen::Vector
         const double off = std::log(power / expected[k].squaredNorm());
         difference += weight * off;
         square += weight * off * off;
+        level += weight * std::log(power);
+        level_square += weight * std::log(power) * std::log(power);
     });
-    // The scatter refers to the predicted line, because a motion other than a line bends both
-    // alike.
-    const double slope = (seen - fitted) / spread;
-    const double scatter =
-        (square - difference * difference / weights - slope * slope * spread) / (used - 2);
+    // The scatter about a straight line after the prediction, because a motion other than a line
+    // bends both alike, or about one without it, where the prediction is worse than none.
+    const auto about_line = [&](double sum, double sum_square, double with_time) {
+        return (sum_square - sum * sum / weights - with_time * with_time / spread) / (used - 2);
+    };
+    const double scatter = std::min(about_line(difference, square, seen - fitted),
+                                    about_line(level, level_square, seen));
     return {-seen / spread / 2, 0.5 * std::sqrt(std::max(scatter, 1.0) / spread),
             -fitted / spread / 2};
 }
