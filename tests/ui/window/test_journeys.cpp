@@ -137,6 +137,8 @@ private slots:
         press(Qt::Key_L);
         {
             auto& limits = the<AxisLimitsDialog>();
+            limits.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&limits));  // or no field is left
             QVERIFY(reach(limits, named("From")));
             type(limits, "0.25");
             QVERIFY(reach(limits, named("To")));
