@@ -93,22 +93,22 @@ inline std::string zetlab_ana(const std::vector<double>& channel, double minleve
     return bytes;
 }
 
-inline std::string zetlab_anp(double rate_hz, double minlevel, const QString& name,
+inline std::string zetlab_anp(double sampling_hz, double minlevel, const QString& name,
                               std::string_view unit = "mV") {
     return windows_1251(QString("DAT 25.08.2022\r\nTIM 21:25:32\r\nFRQ %1\r\nABSVOLT %2\r\n"
                                 "CONVERT %3\r\nNAME %4\r\n")
-                            .arg(rate_hz, 0, 'f', 6)
+                            .arg(sampling_hz, 0, 'f', 6)
                             .arg(minlevel, 0, 'e', 9)
                             .arg(QString::fromUtf8(unit.data(), qsizetype(unit.size())), name));
 }
 
-inline std::string zetlab_xml(double rate_hz, double minlevel, const QString& name,
+inline std::string zetlab_xml(double sampling_hz, double minlevel, const QString& name,
                               std::string_view unit = "V") {
     return windows_1251(
         QString("<?xml version=\"1.0\" encoding=\"windows-1251\"?>\r\n<Config>\r\n <Signal "
                 "name=\"%4\" frequency=\"%1\"\r\n  minlevel=\"%2\" conversion=\"%3\"/>\r\n"
                 "</Config>\r\n")
-            .arg(rate_hz, 0, 'f', 6)
+            .arg(sampling_hz, 0, 'f', 6)
             .arg(minlevel, 0, 'e', 9)
             .arg(QString::fromUtf8(unit.data(), qsizetype(unit.size())), name));
 }

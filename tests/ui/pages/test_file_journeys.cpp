@@ -23,7 +23,7 @@
 #include <complex>
 #include <numbers>
 
-namespace test_journeys {
+namespace test_file_journeys {
 
 using namespace vybeg;
 using namespace vybeg::ui;
@@ -60,7 +60,7 @@ QByteArray rowOf(std::initializer_list<double> values, char delimiter = ',') {
 
 }  // namespace
 
-class TestJourneys : public QObject, private WindowTest {
+class TestFileJourneys : public QObject, private WindowTest {
     Q_OBJECT
 
     struct Row {
@@ -262,8 +262,8 @@ private slots:
     }
 };
 
-VYBEG_TEST(TestJourneys)
+VYBEG_TEST(TestFileJourneys)
 
-}  // namespace test_journeys
+}  // namespace test_file_journeys
 
-#include "test_journeys.moc"
+#include "test_file_journeys.moc"
