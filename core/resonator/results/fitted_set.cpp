@@ -253,24 +253,19 @@ BySource sensitivity(const FittedSet& set, const WrongBySource& wrong, const Pla
 
 }  // namespace
 
-std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& out) {
+void add_sensitivities(const FittedSet& set, ResonatorFit& fit) {
     const WrongBySource wrong = wrong_by_source(set);
-    std::vector<BySource> all(resonator_parameters.size(), BySource{});
     const Places places = places_of(set);
-    for (std::size_t of = 0; of < all.size(); ++of) {
-        if (!(out.*resonator_parameters[of].member).given()) {
-            all[of].fill(std::numeric_limits<double>::quiet_NaN());
+    fit.sensitivities.assign(resonator_parameters.size(), BySource{});
+    for (std::size_t of = 0; of < fit.sensitivities.size(); ++of) {
+        if (!(fit.resonator.*resonator_parameters[of].member).given()) {
+            fit.sensitivities[of].fill(std::numeric_limits<double>::quiet_NaN());
             continue;
         }
-        all[of] = sensitivity(set, wrong, places[of]);
+        fit.sensitivities[of] = sensitivity(set, wrong, places[of]);
     }
-    return all;
-}
-
-void add_sensitivities(const FittedSet& set, std::vector<ModeEstimate>& modes) {
-    const WrongBySource wrong = wrong_by_source(set);
     Index k = 0;
-    for (ModeEstimate& mode : modes) {
+    for (ModeEstimate& mode : fit.modes) {
         const auto [tau, q] = decay_places(set.variances, mode_decay_of + k, mode.f_hz.value);
         for (const Place& place : {Place{mode_f_of + k, 1}, tau, q}) {
             mode.sensitivities.push_back(sensitivity(set, wrong, place));

@@ -74,15 +74,13 @@ ReportedVariances reported_variances(const FittedSet& set, const std::vector<Pro
 // -S_e e/s^2 where it has the prior s.
 Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance);
 
-// By how much the resonator's parameters are wrong per unit of each error, in the order of
-// resonator_parameters; NaN if a parameter is not given.
-std::vector<BySource> sensitivities(const FittedSet& set, const ResonatorEstimate& resonator);
+// Adds by how much the resonator's parameters and the numbers of each mode are wrong per unit of
+// each error, in the order of resonator_parameters and of ModeEstimate; NaN if a parameter is not
+// given. Of the structured model.
+void add_sensitivities(const FittedSet& set, ResonatorFit& fit);
 
-// The same of the numbers of each mode.
-void add_sensitivities(const FittedSet& set, std::vector<ModeEstimate>& modes);
-
-// Contributions of the channels' tolerances to the parameters' combined uncertainties, in the same
-// order. Zeros if a parameter is not given.
+// Contributions of the channels' tolerances to the parameters' combined uncertainties, in the
+// order of resonator_parameters. Zeros if a parameter is not given.
 std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEstimate& resonator);
 
 }  // namespace vybeg

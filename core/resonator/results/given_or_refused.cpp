@@ -51,6 +51,9 @@ public:
             add_free();
         }
         add_modes();
+        if (set_.model == ResonatorModel::structured) {
+            add_sensitivities(set_, fit_);
+        }
         if (grown_) {
             fit_.warnings.push_back({DiagnosticKind::mode_grows, grown_->args});
             refuse_all(*grown_, fit_);
@@ -215,7 +218,6 @@ private:
         if (!out.tau_s.given() && out.tau_s.reason.code == ReasonCode::one_direction) {
             fit_.warnings.push_back({DiagnosticKind::decay_of_one_direction, {}});
         }
-        fit_.sensitivities = sensitivities(set_, out);
         fit_.shares = tolerance_shares(set_, out);
         add_drift_terms();
     }
@@ -273,9 +275,6 @@ private:
             mode.tau_s = decay_time_of(mode_decay_of + k, {ReasonCode::rests_on_unseen, {}});
             mode.q = quality(mode_decay_of + k, mode.f_hz.value, mode.tau_s);
             fit_.modes.push_back(mode);
-        }
-        if (set_.model == ResonatorModel::structured) {
-            add_sensitivities(set_, fit_.modes);
         }
     }
 
