@@ -54,9 +54,9 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
 }
 
 // Neither hidden nor of another unit or length.
-bool isDrawn(const PlotContent& content, const ShownAnalysis& shown) {
-    const auto found = std::ranges::find(content.analyses, shown.id, &ShownAnalysis::id);
-    return found != content.analyses.end() && found->visible;
+bool isDrawn(const TrackView& tracks, const ShownAnalysis& shown) {
+    const auto found = std::ranges::find(tracks.analyses(), shown.id, &ShownAnalysis::id);
+    return found != tracks.analyses().end() && found->visible;
 }
 
 }  // namespace
@@ -88,9 +88,8 @@ void TracksPage::showAnalyses() {
 // The ledger names the analyses; logs are not in it.
 void TracksPage::nameLogs() {
     QStringList names;
-    const PlotContent content = tracks_->content();
     for (const ShownAnalysis& log : log_tracks_.shown()) {
-        if (!isDrawn(content, log)) {
+        if (!isDrawn(*tracks_, log)) {
             continue;
         }
         names << QStringLiteral("<span style=\"color:%1\">■</span> %2")
@@ -133,13 +132,13 @@ FigureSource TracksPage::figures() const {
     QStringList recordings;
     QStringList settings;
     for (const AnalysisEntry& entry : document_.analyses()) {
-        if (isDrawn(content, entry.shown)) {
+        if (isDrawn(*tracks_, entry.shown)) {
             recordings << entry.shown.recording;
             settings << settingsText(entry);
         }
     }
     for (const ShownAnalysis& log : log_tracks_.shown()) {
-        if (isDrawn(content, log)) {
+        if (isDrawn(*tracks_, log)) {
             recordings << log.recording;
         }
     }

@@ -34,7 +34,7 @@ private:
 };
 
 // Fills `out` with a file's bytes from `offset` on. Returns their number, smaller than out.size()
-// only at the end of the file; -1: it failed, and errno tells why.
+// only at the end of the file, or -1 after an error, whose number is errno.
 std::int64_t read_at(int descriptor, std::int64_t offset, std::span<char> out);
 
 // A regular file open for reading at any position, from several threads at once. A file replaced

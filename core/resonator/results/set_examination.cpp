@@ -414,13 +414,20 @@ private:
     std::map<std::size_t, PartFit> rest_;  // without a run
 };
 
-// "A", "A or B", ...
-MessageArg either(const std::vector<std::size_t>& runs) {
-    MessageArg list = recording_arg(runs.front());
-    for (std::size_t k = 1; k < runs.size(); ++k) {
-        list = words(VYBEG_MESSAGE("Words", "%1 or %2"), {list, recording_arg(runs[k])});
+// One or several parts as a list; `both`: the words between two of them.
+MessageArg listed(const std::vector<MessageArg>& parts, const char* both) {
+    MessageArg list = parts.front();
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        list = words(both, {list, parts[k]});
     }
     return list;
+}
+
+// "A", "A or B", ...
+MessageArg either(const std::vector<std::size_t>& runs) {
+    std::vector<MessageArg> names;
+    std::ranges::transform(runs, std::back_inserter(names), recording_arg);
+    return listed(names, VYBEG_MESSAGE("Words", "%1 or %2"));
 }
 
 // The numbers that scatter by three deviates, or by the most.
@@ -441,11 +448,7 @@ MessageArg differing(const SetExamination& examination) {
     if (named.empty()) {  // not finite
         return {};
     }
-    MessageArg list = named.front();
-    for (std::size_t k = 1; k < named.size(); ++k) {
-        list = words(VYBEG_MESSAGE("Words", "%1, %2"), {list, named[k]});
-    }
-    return list;
+    return listed(named, VYBEG_MESSAGE("Words", "%1, %2"));
 }
 
 }  // namespace
