@@ -1,6 +1,7 @@
 #include "tests/ui/gui_test.h"
 
 #include "ui/session/session_keeper.h"
+#include "ui/widgets/quantity_table.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/tracks_page.h"
 
@@ -9,6 +10,8 @@
 #include <QTabWidget>
 #include <QTest>
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace vybeg::ui {
@@ -56,6 +59,32 @@ std::unique_ptr<MainWindow> shownWindow() {
 bool WindowTest::idle(std::size_t analyses) {
     return QTest::qWaitFor(
         [&] { return !document().busy() && document().analyses().size() == analyses; }, 20000);
+}
+
+std::vector<RecordingId> WindowTest::ids() {
+    std::vector<RecordingId> found;
+    std::ranges::transform(document().recordings(), std::back_inserter(found), &RecordingEntry::id);
+    return found;
+}
+
+bool WindowTest::allOpen() {
+    return std::ranges::all_of(document().recordings(),
+                               [](const auto& entry) { return entry.recording.has_value(); });
+}
+
+void WindowTest::openRuns(const QStringList& files) {
+    document().open(files);
+    QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
+}
+
+QTableWidgetItem* WindowTest::cellOf(const QString& table, const QString& name, int column) {
+    const auto& rows = the<QuantityTable>(table);
+    for (int row = 0; row < rows.rowCount(); ++row) {
+        if (rows.item(row, 0)->text().startsWith(name)) {
+            return rows.item(row, column);
+        }
+    }
+    return nullptr;
 }
 
 bool dropFiles(QWidget& target, const QStringList& paths) {

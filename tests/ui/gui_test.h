@@ -7,6 +7,9 @@
 #include <QString>
 
 #include <memory>
+#include <vector>
+
+class QTableWidgetItem;
 
 namespace vybeg::ui {
 
@@ -57,6 +60,13 @@ protected:
     }
     // Waits until the document rests with so many analyses; whether it does.
     bool idle(std::size_t analyses);
+    // Of the recordings of the document: their ids, and whether all are open.
+    std::vector<RecordingId> ids();
+    bool allOpen();
+    // Opens files and waits until their analyses have ended.
+    void openRuns(const QStringList& files);
+    // A cell of a QuantityTable, in a row by the beginning of its name; null without the row.
+    QTableWidgetItem* cellOf(const QString& table, const QString& name, int column);
 
     GuiTestHome home_;
     std::unique_ptr<MainWindow> window_;

@@ -38,24 +38,6 @@ class TestResonatorTab : public QObject, private WindowTest {
 
     SetStore& setStore() { return window_->document().sets(); }
 
-    void openRuns(const QStringList& files) {
-        document().open(files);
-        QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
-    }
-
-    bool allOpen() {
-        return std::ranges::all_of(document().recordings(),
-                                   [](const auto& entry) { return entry.recording.has_value(); });
-    }
-
-    std::vector<RecordingId> ids() {
-        std::vector<RecordingId> found;
-        for (const RecordingEntry& entry : document().recordings()) {
-            found.push_back(entry.id);
-        }
-        return found;
-    }
-
     std::shared_ptr<const ResonatorOutcome> outcome() {
         const RecordingSet* set = setStore().current();
         return set ? setStore().outcome(*set) : nullptr;
@@ -90,13 +72,8 @@ class TestResonatorTab : public QObject, private WindowTest {
 
     // The text of a table's row by the beginning of its name.
     QString cell(const QString& table, const QString& name, int column = 1) {
-        const auto& rows = the<QuantityTable>(table);
-        for (int row = 0; row < rows.rowCount(); ++row) {
-            if (rows.item(row, 0)->text().startsWith(name)) {
-                return rows.item(row, column)->text();
-            }
-        }
-        return QStringLiteral("no row %1").arg(name);
+        const QTableWidgetItem* item = cellOf(table, name, column);
+        return item ? item->text() : QStringLiteral("no row %1").arg(name);
     }
 
 private slots:

@@ -20,24 +20,6 @@ class TestSetTree : public QObject, private WindowTest {
 
     SetStore& setStore() { return document().sets(); }
 
-    void openRuns(const QStringList& files) {
-        document().open(files);
-        QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
-    }
-
-    bool allOpen() {
-        return std::ranges::all_of(document().recordings(),
-                                   [](const auto& entry) { return entry.recording.has_value(); });
-    }
-
-    std::vector<RecordingId> ids() {
-        std::vector<RecordingId> found;
-        for (const RecordingEntry& entry : document().recordings()) {
-            found.push_back(entry.id);
-        }
-        return found;
-    }
-
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() { window_ = shownWindow(); }

@@ -44,17 +44,6 @@ class TestDossier : public QObject, private WindowTest {
         QTest::keyClicks(&field, text);
         field.commit();
     }
-    // The cell of a row of the resonator's table by the beginning of its name.
-    QTableWidgetItem* cell(const QString& name, int column) {
-        const auto& rows = childOf<QuantityTable>(*window_, "resonator");
-        for (int row = 0; row < rows.rowCount(); ++row) {
-            if (rows.item(row, 0)->text().startsWith(name)) {
-                return rows.item(row, column);
-            }
-        }
-        return nullptr;
-    }
-
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() { window_ = shownWindow(); }
@@ -102,7 +91,7 @@ private slots:
         document().sets().addToCurrent(ids);
         window_->action(Command::identify)->trigger();
         QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
-        QVERIFY(!cell("Frequency split", 2));  // no limits, no column of them
+        QVERIFY(!cellOf("resonator", "Frequency split", 2));  // no limits, no column of them
 
         auto& dialog = opened<LimitsDialog>(Command::limits);
         fill(childOf<NumberField>(dialog, "split_hz.upper"), "20");
@@ -110,14 +99,15 @@ private slots:
         fill(childOf<NumberField>(dialog, "frequency_per_power.upper"), "1");
         press(dialog, QDialogButtonBox::Ok);
         QCOMPARE(dossier().limits.size(), std::size_t{3});
-        QCOMPARE(cell("Frequency split", 2)->text(), QStringLiteral("✓ ≤ 20"));
-        QCOMPARE(cell("Quality factor", 2)->text().left(1), QStringLiteral("✗"));
-        QVERIFY(cell("Quality factor", 2)->foreground().color() !=
-                cell("Frequency split", 2)->foreground().color());
-        QCOMPARE(cell("Amplitude dependence", 2)->text().left(1), QStringLiteral("?"));
-        QVERIFY(cell("Decay time", 2)->text().isEmpty());
+        QCOMPARE(cellOf("resonator", "Frequency split", 2)->text(), QStringLiteral("✓ ≤ 20"));
+        QCOMPARE(cellOf("resonator", "Quality factor", 2)->text().left(1), QStringLiteral("✗"));
+        QVERIFY(cellOf("resonator", "Quality factor", 2)->foreground().color() !=
+                cellOf("resonator", "Frequency split", 2)->foreground().color());
+        QCOMPARE(cellOf("resonator", "Amplitude dependence", 2)->text().left(1),
+                 QStringLiteral("?"));
+        QVERIFY(cellOf("resonator", "Decay time", 2)->text().isEmpty());
         window_->action(Command::undo)->trigger();
-        QVERIFY(!cell("Frequency split", 2));
+        QVERIFY(!cellOf("resonator", "Frequency split", 2));
     }
 
     void limits_in_degrees_are_stored_in_radians() {

@@ -59,16 +59,6 @@ class TestJourneys : public QObject, private WindowTest {
     static void type(QWidget& window, const char* text) {
         QTest::keyClicks(window.focusWidget(), text);
     }
-    QTableWidgetItem* cell(const QString& name, int column) {
-        const auto& rows = the<QuantityTable>("resonator");
-        for (int row = 0; row < rows.rowCount(); ++row) {
-            if (rows.item(row, 0)->text().startsWith(name)) {
-                return rows.item(row, column);
-            }
-        }
-        return nullptr;
-    }
-
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() {
@@ -92,8 +82,8 @@ private slots:
         field.setFocus();
         QTest::keyClicks(&field, "20");
         QTest::keyClick(&field, Qt::Key_Return);  // 4
-        QTRY_VERIFY(cell("Frequency split", 2));
-        const QTableWidgetItem& verdict = *cell("Frequency split", 2);
+        QTRY_VERIFY(cellOf("resonator", "Frequency split", 2));
+        const QTableWidgetItem& verdict = *cellOf("resonator", "Frequency split", 2);
         QCOMPARE(verdict.text(), QStringLiteral("✓ ≤ 20"));
         auto& table = the<QuantityTable>("resonator");
         const auto seen = [&] {
@@ -157,7 +147,7 @@ private slots:
         press(Qt::Key_F7);
         QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
         QCOMPARE(the<PageStack>().page(), Page::resonator);
-        QVERIFY(cell("Frequency split", 1));
+        QVERIFY(cellOf("resonator", "Frequency split", 1));
         for (int page = 0; page <= static_cast<int>(Page::history); ++page) {
             press(Qt::Key_1 + page, Qt::ControlModifier);
             QTRY_COMPARE(static_cast<int>(the<PageStack>().page()), page);

@@ -39,14 +39,6 @@ class TestUndo : public QObject, private WindowTest {
             20000);
     }
 
-    std::vector<RecordingId> ids() {
-        std::vector<RecordingId> found;
-        for (const RecordingEntry& entry : document().recordings()) {
-            found.push_back(entry.id);
-        }
-        return found;
-    }
-
 private slots:
     void init() { window_ = shownWindow(); }
     void cleanup() { window_.reset(); }
