@@ -518,8 +518,10 @@ Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
     if (here.lines_to_skip) {
         *here.lines_to_skip -= head.dropped;
     }
-    if (const auto line = line_with_thousands(head.lines); line && !choice.delimiter) {
-        return file.error(ErrorCode::text_thousands, {short_quote(*line)});
+    if (!choice.delimiter) {
+        if (const auto line = line_with_thousands(head.lines)) {
+            return file.error(ErrorCode::text_thousands, {short_quote(*line)});
+        }
     }
     auto format = guess_text_format(head.lines, here);
     if (!format) {
