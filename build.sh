@@ -87,22 +87,40 @@ is_installed() {
     [ "$(dpkg-query --show --showformat '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
+# Sets missing to those of the named packages that are not installed.
+find_missing() {
+    local package
+    missing=()
+    for package in "$@"; do
+        is_installed "$package" || missing+=("$package")
+    done
+}
+
 # Installs those of the named packages that are missing.
 install_packages() {
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         say "No apt here: going on with what is installed. On Debian 12 these would be needed: $*"
         return
     fi
-    local package missing=()
-    for package in "$@"; do
-        is_installed "$package" || missing+=("$package")
-    done
+    local missing
+    find_missing "$@"
     if [ ${#missing[@]} -eq 0 ]; then
         return
     fi
     if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
         fail "these packages are missing, and installing them needs root or sudo. Run as root:
     apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    fi
+    # apt refuses everything while an installation that was cut off (a power cut, a stopped
+    # container) waits to be finished; finishing it loses nothing.
+    if [ -n "$(dpkg --audit 2>/dev/null)" ]; then
+        say "An earlier installation was cut off; finishing it: dpkg --configure -a"
+        as_root env DEBIAN_FRONTEND=noninteractive dpkg --configure -a ||
+            fail "dpkg could not finish an earlier installation. The reason stands above."
+        find_missing "$@"
+        if [ ${#missing[@]} -eq 0 ]; then
+            return
+        fi
     fi
     say "Installing from Debian: ${missing[*]}"
     as_root apt-get update --quiet || fail "apt-get could not reach Debian's packages (see above)."
