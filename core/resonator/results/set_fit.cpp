@@ -249,10 +249,13 @@ bool SetFit::is_noise() const {
 
 void SetFit::find_main() {
     const StillFit wave = start_.size() > 0 ? fit_near_start() : fit_waves(problem_, task_.job);
+    if (no_motion_) {
+        set_.fit = wave.best;
+        return;
+    }
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
-    no_motion_ = !still && wave.best.chi2 > hopeless * degrees_of_freedom(problem_) &&
-                 is_no_motion(wave.best.p);
+    no_motion_ = !still && is_no_motion(wave.best);
     set_.fit =
         still ? *std::move(still)
               : fit_modes(problem_, wave, task_.job, no_motion_ ? Starts::together : Starts::all);
@@ -263,7 +266,9 @@ StillFit SetFit::fit_near_start() {
     start_ = (known.sd.array() > 0).select(start_, known.mean);
     const MapFit near = fit_from(problem_, start_, task_.job);
     const double dof = degrees_of_freedom(problem_);
-    if (near.chi2 < noise_bound(dof) * dof) {
+    // Where no motion explains the windows, no other start does.
+    no_motion_ = is_no_motion(near);
+    if (no_motion_ || near.chi2 < noise_bound(dof) * dof) {
         return {near, {}, {}};
     }
     const Priors priors = problem_.priors;
@@ -392,9 +397,12 @@ std::optional<ModeSum> SetFit::modes_of(std::size_t run, const Eigen::VectorXd& 
     return without && (!with || without->chi2 < with->chi2) ? without : with;
 }
 
-bool SetFit::is_no_motion(const Eigen::VectorXd& p) const {
+bool SetFit::is_no_motion(const MapFit& fit) const {
+    if (!(fit.chi2 > hopeless * degrees_of_freedom(problem_))) {
+        return false;
+    }
     for (std::size_t k = 0; k < runs_.size() && !task_.job.cancelled(); ++k) {
-        const std::optional<ModeSum> modes = modes_of(k, p);
+        const std::optional<ModeSum> modes = modes_of(k, fit.p);
         if (modes && modes->chi2 > hopeless * modes->freedom) {
             return true;
         }
@@ -468,9 +476,10 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     std::unique_ptr<SetFit> set;
     std::vector<Eigen::Matrix2d> whitenings;
     NeededWindows needed;
+    Eigen::VectorXd near = start;
     const auto solve = [&](const std::vector<PhasorRun>& runs) {
         set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
-        set->start_at(start);
+        set->start_at(near);
         needed = set->solve();
         // What a fit this far from the noise leaves does not show the noise.
         if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
@@ -479,7 +488,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         whitenings = vybeg::whitenings(set->motion(), good);
         if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
             set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
-            set->start_at(start);
+            set->start_at(near);
             needed = set->solve();
         }
     };
@@ -496,6 +505,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     // A line may be a disturbance far from the carrier, which longer windows suppress.
     const bool by_motion = needed.by_motion > static_cast<double>(enough_windows);
     std::unique_ptr<SetFit> coarse = std::move(set);
+    near = coarse->parameters();
     solve(finer);
     return by_motion || set->explains_as_much_as(*coarse) ? std::move(set) : std::move(coarse);
 }
