@@ -50,7 +50,7 @@ Usage: ./build.sh COMMAND
                 without the long and the statistical tests
   test-sanitized-files
                 those of readers, writers and document alone, in build/asan-files, with the mathematics
-                as it is: half the time, for .ci/run
+                of build/release: a third of the time, for .ci/run
   test-threads  the tests that run several threads under ThreadSanitizer, in build/tsan
   tidy          clang-tidy over core/, a quarter of an hour (not part of .ci/run)
   fuzz FORMAT [SECONDS]
@@ -293,6 +293,8 @@ case "${1:-}" in
     test-all) run_tests release "" ;;
     test-sanitized) run_tests asan 'statistical|long' "${@:2}" ;;
     test-sanitized-files)
+        configure_tests release
+        build release --target unsanitized
         run_tests asan-files 'statistical|long' core/base core/recording core/output core/database fuzz ui/document
         ;;
     test-threads) run_tests tsan "" ;;

@@ -52,6 +52,9 @@ private slots:
         const Outcome refused = run(demods + choice);
         QCOMPARE(refused.status, 3);
         QVERIFY2(refused.err.contains("--rate"), refused.err);
+        const Outcome as_samples = run(words("info dev1_demods_0_sample_00000.csv"));
+        QCOMPARE(as_samples.status, 3);
+        QVERIFY2(as_samples.err.contains("it holds phasors"), as_samples.err);
         const auto wave = [&](const QStringList& arguments) {
             const Outcome read = run(arguments);
             if (read.status != 0) {
@@ -93,6 +96,9 @@ private slots:
             write(QString("dev1_demods_%1_long.csv").arg(channel),
                   "chunk;timestamp;size;fieldname;v0\n" + x + '\n' + y + '\n' + ticks + '\n');
         }
+        const Outcome as_samples = run(words("info dev1_demods_0_long.csv"));
+        QCOMPARE(as_samples.status, 3);
+        QVERIFY2(as_samples.err.contains("it holds phasors"), as_samples.err);
         const QStringList choice =
             words("identify -o - --phasors fixed --f-ref 5300.1 --y-sign + --amplitude peak");
         const auto tau = [&](const QStringList& files) {

@@ -6,6 +6,7 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
+#include "core/recording/text/labone_rows.h"
 #include "core/recording/text/text_format.h"
 #include "core/recording/text/text_reading.h"
 
@@ -245,7 +246,9 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
                    format.headings.end();
         });
     };
-    if (is_of_phasemeter(head) || has({"Xc", "Yc", "Xd", "Yd"})) {
+    const bool long_form = !head.lines.empty() && is_labone_rows(head.lines.front());
+    if (is_of_phasemeter(head) || has({"Xc", "Yc", "Xd", "Yd"}) || long_form ||
+        has({"chunk", "timestamp", "x", "y"})) {  // a demodulator of LabOne
         return holds_phasors(file);
     }
     if (has({"a", "b", "theta"})) {
