@@ -88,6 +88,46 @@ std::optional<ModeSum> two_modes(const PhasorRun& run) {
     return noise ? sum : std::nullopt;
 }
 
+// Whether what a motion leaves of a run is one line far from the carrier from start to end, which
+// decays steadily: neither another damping nor the rest of a drive or of a knock.
+bool leaves_a_line(const PhasorRun& run, const std::vector<Phasors>& z) {
+    constexpr std::size_t parts = 8;
+    constexpr double pure = 0.9;         // correlation from window to window
+    constexpr double same = 0.2;         // rad from window to window
+    constexpr double steady = 1.5;       // of the power's ratios from part to part
+    constexpr double least_cycles = 20;  // from the carrier, over the run
+    const std::size_t count = run.time_s.size();
+    if (count < parts * least_part) {
+        return false;
+    }
+    std::vector<std::complex<double>> turns;
+    std::vector<double> powers;
+    for (std::size_t part = 0; part < parts; ++part) {
+        std::complex<double> turn = 0;
+        double power = 0;
+        Phasors before{};
+        for (std::size_t k = count * part / parts; k < count * (part + 1) / parts; ++k) {
+            const Phasors left{run.c[k] - z[k].c, run.d[k] - z[k].d};
+            turn += std::conj(before.c) * left.c + std::conj(before.d) * left.d;
+            power += std::norm(left.c) + std::norm(left.d);
+            before = left;
+        }
+        turns.push_back(turn);
+        powers.push_back(power);
+        if (!(std::abs(turn) > pure * power) || !(std::abs(std::arg(turn / turns[0])) < same)) {
+            return false;
+        }
+    }
+    std::vector<double> ratios;
+    for (std::size_t part = 1; part < parts; ++part) {
+        ratios.push_back(powers[part] / powers[part - 1]);
+    }
+    const auto [least, most] = std::ranges::minmax(ratios);
+    const double cycles =
+        std::abs(std::arg(turns[0])) / (2 * std::numbers::pi) * static_cast<double>(count);
+    return most < steady * least && cycles > least_cycles;
+}
+
 // Windows from one index to another.
 struct Part {
     std::size_t first = 0;
@@ -116,6 +156,9 @@ public:
             // They are a free decay, also where the fit has missed it.
             if (const std::optional<ModeSum> two = two_modes(runs_[k])) {
                 judge_modes(k, *two);
+                continue;
+            }
+            if (leaves_a_line(runs_[k], predicted_phasors(fit_.motion, k, runs_[k].time_s))) {
                 continue;
             }
             const ResonatorFit* alone = &fit_;
