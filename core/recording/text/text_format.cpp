@@ -336,6 +336,10 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     format.lines_to_skip = static_cast<std::int64_t>(skipped);
     // Numbers that are skipped name no columns.
     const auto above = lines.first(skipped);
+    for (const std::string& line : above) {
+        const std::vector<std::string> named = header_fields(line, format.delimiter);
+        format.above.push_back(named.empty() ? "" : named.front());
+    }
     const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
         return columns_of(line, table->dialect, fields) > 0;
     });

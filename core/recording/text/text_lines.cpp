@@ -450,6 +450,11 @@ bool TextRows::fail(int column) {
         cut_ = true;
         return false;
     }
+    if (column == 0 && !field(0).empty() &&
+        std::ranges::find(format_.above, field(0)) != format_.above.end()) {
+        fault_ = TextFault{ErrorCode::text_segments};
+        return false;
+    }
     fault_ = {ErrorCode::text_not_a_number, {count_arg(column + 1), short_quote(field(column))}};
     return false;
 }

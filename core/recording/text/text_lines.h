@@ -89,8 +89,8 @@ struct TextColumns {
     double d_factor = 1;  // of D's numbers, for them to be in the unit of C
 };
 
-// Why a line is no row of the table: text_not_a_number, text_time_backwards; format_limit where the
-// line is too long.
+// Why a line is no row of the table: text_not_a_number, text_time_backwards; text_segments where it
+// begins as one above the table does; format_limit where it is too long.
 struct TextFault {
     ErrorCode code{};
     std::vector<MessageArg> args{};  // behind the number of the line

@@ -37,7 +37,8 @@ struct TextScan {
 };
 
 // Reads every wanted number once, the blocks spread over threads. The first fault of the file is
-// the error: text_not_a_number, text_time_backwards, format_limit, file_read_failed; interrupted.
+// the error: text_not_a_number, text_segments, text_time_backwards, format_limit, file_read_failed;
+// interrupted.
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job);
 
 // The samples of a table on demand: only the places of its rows are kept in memory. Large reads are

@@ -1,10 +1,8 @@
 #include "core/recording/text/text_recording.h"
 
 #include "core/base/plain_text.h"
-#include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/sample_source.h"
-#include "core/recording/samples/text_fields.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/text/labone_rows.h"
 #include "core/recording/text/text_format.h"
@@ -81,33 +79,10 @@ Result<std::optional<SampleRate>> agreed_rate(const std::optional<SampleRate>& o
                                      {number_arg(named.hz), number_arg(of_times->hz)});
 }
 
-// The error of a table in which a word stands for a number: text_segments where the line begins as
-// one above the table does.
-Error segments_error(const std::shared_ptr<const FileBytes>& file, const Error& error,
-                     const JobControl& job) {
-    if (error.code != ErrorCode::text_not_a_number || error.args[1].text != "1") {
-        return error;
-    }
-    const auto head = read_text_head(file, {}, job);
-    const auto format = head ? guess_text_format(head->lines, {}) : std::nullopt;
-    const auto above = static_cast<std::ptrdiff_t>(format ? format->lines_to_skip : 0);
-    const bool again =
-        format && std::stoll(error.args[0].text) > above &&  // or a choice calls the header a row
-        std::any_of(head->lines.begin(), head->lines.begin() + above, [&](const std::string& line) {
-            const auto fields = header_fields(line, format->delimiter);
-            return !fields.empty() && short_quote(fields.front()) == error.args[2].text;
-        });
-    return again ? file->error(ErrorCode::text_segments, {error.args[0]}) : error;
-}
-
 // Adds rate, samples and diagnostics.
 Status take_table(const std::shared_ptr<const FileBytes>& file, const TextTable& table,
                   const OpenOptions& options, const JobControl& job, FoundSamples& found) {
-    const auto scanned = scan_text(table, job);
-    if (!scanned) {
-        return segments_error(file, scanned.error(), job);
-    }
-    const TextScan& scan = *scanned;
+    const TextScan scan = TRY(scan_text(table, job));
     found.present_frames = scan.rows();
     TRY(check_frames(*file, found.present_frames));
     const LeftOut& left_out = scan.left_out;
