@@ -126,7 +126,10 @@ void LogTracks::take(std::vector<ShownAnalysis> tracks) {
     shown_ = std::move(tracks);
     int place = 0;
     for (ShownAnalysis& each : shown_) {
-        const CurveStyle style = curveStyle(place++);
+        // From the last colour on: the recordings take the first ones.
+        const int turn = place / curve_colors;
+        const CurveStyle style = curveStyle(curve_colors * (turn + 1) - 1 - place % curve_colors);
+        ++place;
         each.id = static_cast<AnalysisId>(--made_);
         each.color = style.color;
         each.shade = style.shade;

@@ -308,7 +308,6 @@ namespace {
 
 constexpr int panel_width = 244;  // its lists are not cut in Russian
 constexpr int least_plot_height = 260;
-constexpr int hint_width = 460;
 
 }  // namespace
 
@@ -318,11 +317,8 @@ DriftPage::DriftPage(Document& document, QWidget* parent)
       panel_(new DriftPanel(document, this)),
       export_(withName(new QPushButton(this), "driftExport")),
       state_(sentence(this, "driftState")),
-      hint_(withName(new QLabel(this), "driftHint")) {
+      hint_(hint(this, "driftHint")) {
     setObjectName(QStringLiteral("driftPage"));
-    hint_->setWordWrap(true);
-    hint_->setAlignment(Qt::AlignCenter);
-    hint_->setMaximumWidth(hint_width);
     auto* row = fill(new QHBoxLayout, {6, 0, 6, 0}, {export_});
     auto* left = fill(new QVBoxLayout, {}, 0, {panel_, row, state_, LayoutPart(1)});
     auto* side = scrolled(left);  // a low window shows the panel in part
@@ -381,13 +377,14 @@ void DriftPage::showFound() {
     state_->setVisible(shown_ && !state.isEmpty());
     state_->setText(richText(state));
     hint_->setVisible(!shown_);
-    hint_->setText(!state.isEmpty()
-                       ? state
-                       : tr("Open whole-angle logs: a controller holds the amplitude while the "
-                            "wave turns by 180 degrees or more, and its angle is written down over "
-                            "the time. Here appear the drift against the angle with its harmonics, "
-                            "and, where the log has the efforts, the resonator's damping and "
-                            "split."));
+    hint_->setText(
+        richText(!state.isEmpty()
+                     ? state
+                     : tr("Open whole-angle logs: a controller holds the amplitude while the "
+                          "wave turns by 180 degrees or more, and its angle is written down over "
+                          "the time. Here appear the drift against the angle with its harmonics, "
+                          "and, where the log has the efforts, the resonator's damping and "
+                          "split.")));
     content_->setVisible(shown_ != nullptr);
     export_->setEnabled(document_.drift().outcome() != nullptr);
     if (shown_) {

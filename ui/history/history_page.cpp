@@ -36,12 +36,11 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
       new_(withName(new QPushButton(this), "historyNew")),
       add_(withName(new QPushButton(this), "historyAdd")),
       export_(withName(new QPushButton(this), "historyExport")),
-      state_(sentence(this, "historyState", QMargins())) {
+      state_(hint(this, "historyState")) {
     setObjectName(QStringLiteral("history"));
     auto* head = buildHead();
     content_ = scrolled(buildContent());
-    // With room below the sentence where there is nothing to show.
-    fill(new QVBoxLayout(this), {}, 4, {head, {content_, 1}, LayoutPart(0)});
+    fill(new QVBoxLayout(this), {}, 4, {head, {state_, 0, Qt::AlignCenter}, {content_, 1}});
     connectWidgets();
     whenChanged(*this, {QEvent::Show}, [this] { whenShown(); });
     retranslate();
@@ -136,7 +135,9 @@ HistoryView HistoryPage::view() const {
 
 void HistoryPage::showHistory() {
     refresh();
-    content_->setVisible(history_.has_value());
+    const bool shown = history_ && !history_->gyros.empty();
+    content_->setVisible(shown);
+    static_cast<QVBoxLayout*>(layout())->setStretchFactor(state_, shown ? 0 : 1);
     if (!history_) {
         for (XYPlotView* plot : {values_.plot, ranges_.plot, average_.plot, distribution_}) {
             plot->setContent({});
@@ -323,7 +324,7 @@ QLayout* HistoryPage::buildHead() {
     auto* first = fill(new QHBoxLayout, {{database_, 1}, open_, new_, add_, export_});
 
     choices_ = new HistoryChoices(this);
-    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_, state_});
+    return fill(new QVBoxLayout, {6, 4, 6, 0}, 4, {first, choices_});
 }
 
 QWidget* HistoryPage::buildContent() {

@@ -84,6 +84,14 @@ QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
     return label;
 }
 
+QLabel* hint(QWidget* parent, const char* name) {
+    constexpr int width = 460;
+    QLabel* label = sentence(parent, name, QMargins());
+    label->setAlignment(Qt::AlignCenter);
+    label->setMaximumWidth(width);
+    return label;
+}
+
 void makeSentence(QLabel& label) {
     label.setWordWrap(true);
     label.setTextFormat(Qt::RichText);

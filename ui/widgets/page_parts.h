@@ -70,6 +70,8 @@ Layout* fill(Layout* layout, const QMargins& around, int between, LayoutParts pa
 constexpr QMargins around_sentence{6, 2, 6, 2};
 QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = around_sentence);
 void makeSentence(QLabel& label);
+// A sentence in the middle of a page that has nothing to show yet; the layout centres the label.
+QLabel* hint(QWidget* parent, const char* name);
 // The texts of a box's entries, from the `first` on.
 void setTexts(QComboBox& box, const QStringList& texts, int first = 0);
 
