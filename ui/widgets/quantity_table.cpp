@@ -197,16 +197,26 @@ int QuantityTable::headerHeight() const {
     return texts > 0 ? texts + horizontalHeader()->sizeHint().height() - fontMetrics().height() : 0;
 }
 
-// Takes what is too much from the columns, each by its share of the room that its words leave.
-void QuantityTable::narrow(std::vector<int>& widths, int excess) const {
-    std::vector<int> slack;
-    for (std::size_t k = 0; k < widths.size(); ++k) {
+// Takes what is too much from the columns from the `first` on, each by its share of the room that
+// its words leave.
+void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t first) const {
+    std::vector<int> slack(first);
+    for (std::size_t k = first; k < widths.size(); ++k) {
         slack.push_back(std::max(0, widths[k] - leastWidth(static_cast<int>(k))));
     }
     const int all = std::accumulate(slack.begin(), slack.end(), 0);
     for (std::size_t k = 0; k < widths.size() && all > 0; ++k) {
         widths[k] -= std::min(slack[k], slack[k] * excess / all + 1);
     }
+}
+
+int QuantityTable::heightOf(int row, const std::vector<int>& widths) const {
+    int height = 0;
+    for (std::size_t k = 0; k < widths.size(); ++k) {
+        const QString text = item(row, static_cast<int>(k))->text();
+        height = std::max(height, WrappingDelegate::heightFor(text, font(), widths[k]));
+    }
+    return height;
 }
 
 void QuantityTable::setConcise(bool concise) {
@@ -262,7 +272,21 @@ void QuantityTable::layOut() {
         widths[1] = std::max(room - widths[0], 14 * characters);
     }
     if (const int excess = std::accumulate(widths.begin(), widths.end(), -room); excess > 0) {
-        narrow(widths, excess);
+        // Names that keep their width may spare more lines than the cells beside them then need.
+        const auto height = [this](const std::vector<int>& of) {
+            int sum = 0;
+            for (int row = 0; row < rowCount(); ++row) {
+                sum += heightOf(row, of);
+            }
+            return sum;
+        };
+        std::vector<int> named = widths;
+        narrow(named, excess, 1);
+        narrow(widths, excess, 0);
+        if (std::accumulate(named.begin(), named.end(), 0) <= room &&
+            height(named) < height(widths)) {
+            widths = named;
+        }
     }
     int total = 0;
     for (int column = 0; column < columnCount(); ++column) {
@@ -272,14 +296,8 @@ void QuantityTable::layOut() {
     int height = headerHeight();
     horizontalHeader()->setFixedHeight(height);
     for (int row = 0; row < rowCount(); ++row) {
-        int row_height = 0;
-        for (int column = 0; column < columnCount(); ++column) {
-            row_height =
-                std::max(row_height, WrappingDelegate::heightFor(item(row, column)->text(), font(),
-                                                                 columnWidth(column)));
-        }
-        setRowHeight(row, row_height);
-        height += row_height;
+        setRowHeight(row, heightOf(row, widths));
+        height += rowHeight(row);
     }
     if (total > room) {
         height += horizontalScrollBar()->sizeHint().height();

@@ -71,7 +71,8 @@ private:
     void layOutAround();
     int leastWidth(int column) const;
     int headerHeight() const;
-    void narrow(std::vector<int>& widths, int excess) const;
+    void narrow(std::vector<int>& widths, int excess, std::size_t first) const;
+    int heightOf(int row, const std::vector<int>& widths) const;
     void setConcise(bool concise);
 
     QStringList headers_;

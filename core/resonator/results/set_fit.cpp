@@ -473,41 +473,44 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
                                    Effort effort, const Eigen::VectorXd& start) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
-    std::unique_ptr<SetFit> set;
+    struct Solution {
+        std::unique_ptr<SetFit> set;
+        NeededWindows needed;
+    };
     std::vector<Eigen::Matrix2d> whitenings;
-    NeededWindows needed;
-    Eigen::VectorXd near = start;
-    const auto solve = [&](const std::vector<PhasorRun>& runs) {
-        set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
-        set->start_at(near);
-        needed = set->solve();
+    const auto solve_once = [&](const std::vector<PhasorRun>& runs, const Eigen::VectorXd& near) {
+        Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, effort), {}};
+        out.set->start_at(near);
+        out.needed = out.set->solve();
+        return out;
+    };
+    const auto solve = [&](const std::vector<PhasorRun>& runs, const Eigen::VectorXd& near) {
+        Solution out = solve_once(runs, near);
         // What a fit this far from the noise leaves does not show the noise.
-        if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
-            return;
+        if (!whitenings.empty() || out.set->chi2_per_dof() > hopeless) {
+            return out;
         }
-        whitenings = vybeg::whitenings(set->motion(), good);
-        if (std::ranges::any_of(whitenings, [](const auto& one) { return !one.isIdentity(0); })) {
-            set = std::make_unique<SetFit>(runs, good, whitenings, task, effort);
-            set->start_at(near);
-            needed = set->solve();
-        }
+        whitenings = vybeg::whitenings(out.set->motion(), good);
+        const bool white =
+            std::ranges::all_of(whitenings, [](const auto& one) { return one.isIdentity(0); });
+        return white ? std::move(out) : solve_once(runs, near);
     };
     const std::vector<PhasorRun> runs = merged(good, enough_windows);
-    solve(runs);
-    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
+    Solution coarse = solve(runs, start);
+    const double windows =
+        std::min(std::max(coarse.needed.by_motion, coarse.needed.by_line), most_windows);
     if (!(windows > static_cast<double>(enough_windows)) || task.job.cancelled()) {
-        return set;
+        return std::move(coarse.set);
     }
     const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
     if (std::ranges::equal(runs, finer, {}, number_of_windows, number_of_windows)) {
-        return set;
+        return std::move(coarse.set);
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
-    const bool by_motion = needed.by_motion > static_cast<double>(enough_windows);
-    std::unique_ptr<SetFit> coarse = std::move(set);
-    near = coarse->parameters();
-    solve(finer);
-    return by_motion || set->explains_as_much_as(*coarse) ? std::move(set) : std::move(coarse);
+    const bool by_motion = coarse.needed.by_motion > static_cast<double>(enough_windows);
+    Solution fine = solve(finer, coarse.set->parameters());
+    return by_motion || fine.set->explains_as_much_as(*coarse.set) ? std::move(fine.set)
+                                                                   : std::move(coarse.set);
 }
 
 }  // namespace vybeg

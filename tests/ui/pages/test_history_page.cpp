@@ -143,6 +143,9 @@ private slots:
         QTest::keyClick(window_.get(), Qt::Key_7, Qt::ControlModifier);
         QVERIFY(page().isVisible() && the<QTabBar>("pages").isVisible());
         QVERIFY2(text("historyState").contains("database"), qPrintable(text("historyState")));
+        const QRect said = the<QLabel>("historyState").geometry();
+        VYBEG_CLOSE(said.center().x(), page().width() / 2, 2);
+        VYBEG_CLOSE(said.center().y(), page().height() / 2, page().height() / 10);
         QVERIFY(the<QPushButton>("historyOpen").isVisible());
         QVERIFY(!the<QPushButton>("historyAdd").isEnabled());
         QVERIFY(!the<XYPlotView>("historyValues").isVisible());
@@ -309,6 +312,7 @@ private slots:
         files->close();
         waitForPage();
         QVERIFY2(text("historyState").contains("no results"), qPrintable(text("historyState")));
+        QVERIFY(!the<XYPlotView>("historyValues").isVisible());
         QVERIFY(!the<QPushButton>("historyAdd").isEnabled());
         window_->files().open(resonatorRuns(home_, "added"));
         QVERIFY(QTest::qWaitFor(

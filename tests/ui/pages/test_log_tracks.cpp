@@ -161,6 +161,7 @@ private slots:
         open(powers("beside.csv"), choice);
         QTRY_COMPARE_WITH_TIMEOUT(drawn().size(), std::size_t(2), 20000);
         QCOMPARE(drawn().front().recording, QString("beside.wav"));
+        QVERIFY(drawn().front().color != drawn().back().color);
         showTracks();
         QVERIFY(the<Ledger>().isVisible());
         QVERIFY(named().contains("beside.csv") && !named().contains("beside.wav"));

@@ -78,6 +78,32 @@ class TestResonatorTab : public QObject, private WindowTest {
 
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
+
+    // Two names of two words beside a cell of many: the cell wraps, not both names.
+    void names_keep_a_line_where_a_cell_spares_it() {
+        QuantityTable table;
+        const auto cells = [](const QString& text) {
+            return std::vector<QuantityCell>{{text, {}, {}, {}}, {"5300.00", {}, {}, {}}};
+        };
+        const std::vector<QuantityRow> rows{{"Deviation of the frequency", cells("0"), {}},
+                                            {"Frequency of that direction", cells("0"), {}},
+                                            {"Windows", cells("1866 of 1866, n = 500 each"), {}}};
+        table.setContent({}, rows);
+        table.show();
+        const auto height = [&](int width) {
+            table.resize(width, 200);
+            QCoreApplication::processEvents();
+            return table.rowHeight(0) + table.rowHeight(1) + table.rowHeight(2);
+        };
+        const int wide = height(900);
+        const int line = table.rowHeight(0);
+        int widest = 0;
+        for (int column = 0; column < 3; ++column) {
+            widest += table.columnWidth(column);
+        }
+        VYBEG_AT_LEAST(widest, 300);
+        VYBEG_AT_MOST(height(widest - 30), wide + line);
+    }
     void init() { window_ = shownWindow(); }
     void cleanup() {
         if (looks_only_ && !QTest::currentTestFailed()) {
