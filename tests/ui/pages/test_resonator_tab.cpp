@@ -85,9 +85,9 @@ private slots:
         const auto cells = [](const QString& text) {
             return std::vector<QuantityCell>{{text, {}, {}, {}}, {"5300.00", {}, {}, {}}};
         };
-        const std::vector<QuantityRow> rows{{"Deviation of the frequency", cells("0"), {}},
-                                            {"Frequency of that direction", cells("0"), {}},
-                                            {"Windows", cells("1866 of 1866, n = 500 each"), {}}};
+        const std::vector<QuantityRow> rows{{"Deviation of the frequency", {}, cells("0")},
+                                            {"Frequency of that direction", {}, cells("0")},
+                                            {"Windows", {}, cells("1866 of 1866, n = 500 each")}};
         table.setContent({}, rows);
         table.show();
         const auto height = [&](int width) {
