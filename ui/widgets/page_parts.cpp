@@ -88,7 +88,7 @@ QLabel* hint(QWidget* parent, const char* name) {
     constexpr int width = 460;
     QLabel* label = sentence(parent, name, QMargins());
     label->setAlignment(Qt::AlignCenter);
-    label->setMaximumWidth(width);
+    label->setFixedWidth(width);  // the layout makes rich text narrow
     return label;
 }
 

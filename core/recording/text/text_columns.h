@@ -17,7 +17,7 @@ namespace vybeg {
 struct TextFormat {
     char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which stands for any blanks
     bool decimal_comma = false;
-    std::int64_t lines_to_skip = 0;  // lines above the first row of numbers
+    std::int64_t lines_to_skip = 0;    // lines above the first row of numbers
     std::vector<std::string> above{};  // what the lines above it begin with
     int columns = 0;
     int time_column = -1;       // from 0; -1: none

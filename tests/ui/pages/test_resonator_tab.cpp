@@ -83,7 +83,8 @@ private slots:
     void names_keep_a_line_where_a_cell_spares_it() {
         QuantityTable table;
         const auto cells = [](const QString& text) {
-            return std::vector<QuantityCell>{{text, {}, {}, {}}, {"5300.00", {}, {}, {}}};
+            const QuantityCell number{"5300.00017000", {}, {}, {}};
+            return std::vector<QuantityCell>{{text, {}, {}, {}}, number, number};
         };
         const std::vector<QuantityRow> rows{{"Deviation of the frequency", {}, cells("0")},
                                             {"Frequency of that direction", {}, cells("0")},
@@ -98,7 +99,7 @@ private slots:
         const int wide = height(900);
         const int line = table.rowHeight(0);
         int widest = 0;
-        for (int column = 0; column < 3; ++column) {
+        for (int column = 0; column < 4; ++column) {
             widest += table.columnWidth(column);
         }
         VYBEG_AT_LEAST(widest, 300);

@@ -359,6 +359,7 @@ private slots:
         QCOMPARE(*format, (TextFormat{.delimiter = ';',
                                       .decimal_comma = true,
                                       .lines_to_skip = 2,
+                                      .above = {"Gyro 12", "t [ms]"},
                                       .columns = 3,
                                       .time_column = 0,
                                       .counter_column = -1,
