@@ -116,6 +116,8 @@ install_packages() {
     if [ -n "$(dpkg --audit 2>/dev/null)" ]; then
         say "An earlier installation was cut off; finishing it: dpkg --configure -a"
         as_root env DEBIAN_FRONTEND=noninteractive dpkg --configure -a ||
+            as_root env DEBIAN_FRONTEND=noninteractive apt-get install --fix-broken --yes --quiet \
+                --no-install-recommends ||
             fail "dpkg could not finish an earlier installation. The reason stands above."
         find_missing "$@"
         if [ ${#missing[@]} -eq 0 ]; then
@@ -294,7 +296,7 @@ case "${1:-}" in
     test-sanitized) run_tests asan 'statistical|long' "${@:2}" ;;
     test-sanitized-files)
         configure_tests release
-        build release --target unsanitized
+        build release --target unsanitized || conclude 0 1
         run_tests asan-files 'statistical|long' core/base core/recording core/output core/database fuzz ui/document
         ;;
     test-threads) run_tests tsan "" ;;

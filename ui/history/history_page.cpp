@@ -135,9 +135,8 @@ HistoryView HistoryPage::view() const {
 
 void HistoryPage::showHistory() {
     refresh();
-    const bool shown = history_ && !history_->gyros.empty();
-    content_->setVisible(shown);
-    static_cast<QVBoxLayout*>(layout())->setStretchFactor(state_, shown ? 0 : 1);
+    content_->setVisible(hasResults());
+    static_cast<QVBoxLayout*>(layout())->setStretchFactor(state_, hasResults() ? 0 : 1);
     if (!history_) {
         for (XYPlotView* plot : {values_.plot, ranges_.plot, average_.plot, distribution_}) {
             plot->setContent({});
@@ -218,7 +217,7 @@ void HistoryPage::refresh() {
                                : hint));
     const QString state = stateText();
     state_->setText(state.toHtmlEscaped());
-    state_->setVisible(!state.isEmpty());
+    state_->setVisible(!state.isEmpty() && !hasResults());
     choices_->setVisible(history_.has_value());
     export_->setEnabled(history_ && !history_->points.empty());
 }

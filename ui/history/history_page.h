@@ -58,6 +58,7 @@ private:
     void refresh();
     // Precondition: there is a history.
     HistoryView view() const;
+    bool hasResults() const { return history_ && !history_->gyros.empty(); }
     QString stateText() const;
     QString addHint() const;
     // `place`: of a point in the plot.

@@ -85,10 +85,10 @@ QLabel* sentence(QWidget* parent, const char* name, const QMargins& around) {
 }
 
 QLabel* hint(QWidget* parent, const char* name) {
-    constexpr int width = 460;
+    constexpr int characters = 66;
     QLabel* label = sentence(parent, name, QMargins());
     label->setAlignment(Qt::AlignCenter);
-    label->setFixedWidth(width);  // the layout makes rich text narrow
+    label->setFixedWidth(characters * label->fontMetrics().averageCharWidth());
     return label;
 }
 

@@ -338,7 +338,9 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     const auto above = lines.first(skipped);
     for (const std::string& line : above) {
         const std::vector<std::string> named = header_fields(line, format.delimiter);
-        format.above.push_back(named.empty() ? "" : named.front());
+        if (!named.empty() && columns_of(line, table->dialect, fields) == 0) {
+            format.above.push_back(named.front());
+        }
     }
     const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
         return columns_of(line, table->dialect, fields) > 0;

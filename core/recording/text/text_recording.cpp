@@ -221,7 +221,14 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
                    format.headings.end();
         });
     };
-    const bool long_form = !head.lines.empty() && is_labone_rows(head.lines.front());
+    const auto has_row_of = [&head](const char* field) {
+        const std::string between = std::string(";") + field + ';';
+        return std::ranges::any_of(head.lines, [&](const std::string& line) {
+            return line.find(between) != std::string::npos;
+        });
+    };
+    const bool long_form = !head.lines.empty() && is_labone_rows(head.lines.front()) &&
+                           has_row_of("x") && has_row_of("y");
     if (is_of_phasemeter(head) || has({"Xc", "Yc", "Xd", "Yd"}) || long_form ||
         has({"chunk", "timestamp", "x", "y"})) {  // a demodulator of LabOne
         return holds_phasors(file);

@@ -97,9 +97,10 @@ bool leaves_a_line(const PhasorRun& run, const std::vector<Phasors>& z) {
     constexpr double steady = 1.5;       // of the power's ratios from part to part
     constexpr double least_cycles = 20;  // from the carrier, over the run
     const std::size_t count = run.time_s.size();
-    if (count < parts * least_part) {
+    if (run.phase_lost || count < parts * least_part) {
         return false;
     }
+    std::complex<double> of_wave = 0;  // from window to window
     std::vector<std::complex<double>> turns;
     std::vector<double> powers;
     for (std::size_t part = 0; part < parts; ++part) {
@@ -111,6 +112,9 @@ bool leaves_a_line(const PhasorRun& run, const std::vector<Phasors>& z) {
             turn += std::conj(before.c) * left.c + std::conj(before.d) * left.d;
             power += std::norm(left.c) + std::norm(left.d);
             before = left;
+            if (k > 0) {
+                of_wave += std::conj(z[k - 1].c) * z[k].c + std::conj(z[k - 1].d) * z[k].d;
+            }
         }
         turns.push_back(turn);
         powers.push_back(power);
@@ -123,8 +127,8 @@ bool leaves_a_line(const PhasorRun& run, const std::vector<Phasors>& z) {
         ratios.push_back(powers[part] / powers[part - 1]);
     }
     const auto [least, most] = std::ranges::minmax(ratios);
-    const double cycles =
-        std::abs(std::arg(turns[0])) / (2 * std::numbers::pi) * static_cast<double>(count);
+    const double cycles = std::abs(std::arg(turns[0] * std::conj(of_wave))) /
+                          (2 * std::numbers::pi) * static_cast<double>(count);
     return most < steady * least && cycles > least_cycles;
 }
 
@@ -158,12 +162,12 @@ public:
                 judge_modes(k, *two);
                 continue;
             }
-            if (leaves_a_line(runs_[k], predicted_phasors(fit_.motion, k, runs_[k].time_s))) {
-                continue;
-            }
             const ResonatorFit* alone = &fit_;
             std::optional<ResonatorFit> single;
             if (runs_.size() > 1) {
+                if (leaves_a_line(runs_[k], predicted_phasors(fit_.motion, k, runs_[k].time_s))) {
+                    continue;
+                }
                 single = fitted(runs_[k]);
                 alone = single ? &*single : nullptr;
             }

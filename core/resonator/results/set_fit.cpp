@@ -249,13 +249,10 @@ bool SetFit::is_noise() const {
 
 void SetFit::find_main() {
     const StillFit wave = start_.size() > 0 ? fit_near_start() : fit_waves(problem_, task_.job);
-    if (no_motion_) {
-        set_.fit = wave.best;
-        return;
-    }
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
-    no_motion_ = !still && is_no_motion(wave.best);
+    no_motion_ = !still && wave.best.chi2 > hopeless * degrees_of_freedom(problem_) &&
+                 is_no_motion(wave.best.p);
     set_.fit =
         still ? *std::move(still)
               : fit_modes(problem_, wave, task_.job, no_motion_ ? Starts::together : Starts::all);
@@ -266,9 +263,7 @@ StillFit SetFit::fit_near_start() {
     start_ = (known.sd.array() > 0).select(start_, known.mean);
     const MapFit near = fit_from(problem_, start_, task_.job);
     const double dof = degrees_of_freedom(problem_);
-    // Where no motion explains the windows, no other start does.
-    no_motion_ = is_no_motion(near);
-    if (no_motion_ || near.chi2 < noise_bound(dof) * dof) {
+    if (near.chi2 < noise_bound(dof) * dof) {
         return {near, {}, {}};
     }
     const Priors priors = problem_.priors;
@@ -397,12 +392,9 @@ std::optional<ModeSum> SetFit::modes_of(std::size_t run, const Eigen::VectorXd& 
     return without && (!with || without->chi2 < with->chi2) ? without : with;
 }
 
-bool SetFit::is_no_motion(const MapFit& fit) const {
-    if (!(fit.chi2 > hopeless * degrees_of_freedom(problem_))) {
-        return false;
-    }
+bool SetFit::is_no_motion(const Eigen::VectorXd& p) const {
     for (std::size_t k = 0; k < runs_.size() && !task_.job.cancelled(); ++k) {
-        const std::optional<ModeSum> modes = modes_of(k, fit.p);
+        const std::optional<ModeSum> modes = modes_of(k, p);
         if (modes && modes->chi2 > hopeless * modes->freedom) {
             return true;
         }
@@ -478,14 +470,14 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         NeededWindows needed;
     };
     std::vector<Eigen::Matrix2d> whitenings;
-    const auto solve_once = [&](const std::vector<PhasorRun>& runs, const Eigen::VectorXd& near) {
+    const auto solve_once = [&](const std::vector<PhasorRun>& runs) {
         Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, effort), {}};
-        out.set->start_at(near);
+        out.set->start_at(start);
         out.needed = out.set->solve();
         return out;
     };
-    const auto solve = [&](const std::vector<PhasorRun>& runs, const Eigen::VectorXd& near) {
-        Solution out = solve_once(runs, near);
+    const auto solve = [&](const std::vector<PhasorRun>& runs) {
+        Solution out = solve_once(runs);
         // What a fit this far from the noise leaves does not show the noise.
         if (!whitenings.empty() || out.set->chi2_per_dof() > hopeless) {
             return out;
@@ -493,10 +485,10 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         whitenings = vybeg::whitenings(out.set->motion(), good);
         const bool white =
             std::ranges::all_of(whitenings, [](const auto& one) { return one.isIdentity(0); });
-        return white ? std::move(out) : solve_once(runs, near);
+        return white ? std::move(out) : solve_once(runs);
     };
     const std::vector<PhasorRun> runs = merged(good, enough_windows);
-    Solution coarse = solve(runs, start);
+    Solution coarse = solve(runs);
     const double windows =
         std::min(std::max(coarse.needed.by_motion, coarse.needed.by_line), most_windows);
     if (!(windows > static_cast<double>(enough_windows)) || task.job.cancelled()) {
@@ -508,7 +500,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
     const bool by_motion = coarse.needed.by_motion > static_cast<double>(enough_windows);
-    Solution fine = solve(finer, coarse.set->parameters());
+    Solution fine = solve(finer);
     return by_motion || fine.set->explains_as_much_as(*coarse.set) ? std::move(fine.set)
                                                                    : std::move(coarse.set);
 }

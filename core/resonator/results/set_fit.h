@@ -44,8 +44,6 @@ public:
     // The present parameters of a set with one break more, whose parameters are zero.
     Eigen::VectorXd with_room_for(const FittedBreak& found) const;
 
-    const Eigen::VectorXd& parameters() const { return set_.fit.p; }
-
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
 
@@ -131,8 +129,8 @@ private:
     // explains better. Empty where the run is not such a sum in the model either.
     std::optional<ModeSum> modes_of(std::size_t run, const Eigen::VectorXd& p) const;
 
-    // Whether a fit is far above the noise, and two modes of its own leave a run there as well.
-    bool is_no_motion(const MapFit& fit) const;
+    // Whether two modes of its own leave a run far above its noise.
+    bool is_no_motion(const Eigen::VectorXd& p) const;
 
     // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
