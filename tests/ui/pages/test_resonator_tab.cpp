@@ -105,6 +105,7 @@ private slots:
         VYBEG_AT_LEAST(widest, 300);
         VYBEG_AT_MOST(height(widest - 30), wide + line);
     }
+
     void init() { window_ = shownWindow(); }
     void cleanup() {
         if (looks_only_ && !QTest::currentTestFailed()) {

@@ -44,6 +44,7 @@ class TestDossier : public QObject, private WindowTest {
         QTest::keyClicks(&field, text);
         field.commit();
     }
+
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() { window_ = shownWindow(); }

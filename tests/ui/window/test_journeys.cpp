@@ -59,6 +59,7 @@ class TestJourneys : public QObject, private WindowTest {
     static void type(QWidget& window, const char* text) {
         QTest::keyClicks(window.focusWidget(), text);
     }
+
 private slots:
     void initTestCase() { files_ = resonatorRuns(home_, "run"); }
     void init() {
