@@ -1880,6 +1880,10 @@
         <translation>%1: в канале %2 биения видны по амплитуде, но не по фазе, а фаза канала %3 поворачивается: опорный сигнал следует за каналом %2, как в петле ФАПЧ, и его частота потеряна. Числа неверны. Выберите комплексные амплитуды относительно перестраиваемого генератора и укажите столбец частоты (F) или фазы (P) опорного сигнала либо записывайте с неподвижной опорной частотой.</translation>
     </message>
     <message>
+        <source>%1: turned by the oscillator&apos;s phase the phasors wander, turned the other way they are %2 times as steady: the sign of Y is another one than told, or that of the phase. The numbers do not hold. {Give the other --y-sign|Choose the other sign of Y}, or change the sign of the phase in the file.</source>
+        <translation>%1: при повороте на фазу генератора комплексные амплитуды блуждают, а при повороте в другую сторону они устойчивее в %2 раз: знак Y не тот, что указан, либо не тот знак фазы. Числа неверны. {Укажите другой --y-sign|Выберите другой знак Y} или смените знак фазы в файле.</translation>
+    </message>
+    <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>
         <translation>%1: около %3 с сумма R² + S² + Q² отличается от E² на %2 %, больше, чем объясняет шум: в столбце есть сдвиг или своё усиление, либо за одну строку волна поворачивается далеко. Числа могут быть неверны больше, чем на свои неопределённости. Откалибруйте столбцы или записывайте журнал чаще.</translation>
     </message>
@@ -7646,6 +7650,10 @@
     <message>
         <source>open logs</source>
         <translation>открыть журналы</translation>
+    </message>
+    <message>
+        <source>calibration of the set</source>
+        <translation>калибровка набора</translation>
     </message>
     <message>
         <source>logs of the set</source>

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace vybeg {
@@ -78,6 +79,23 @@ bool is_followed(const ChannelMotion& channel, const ChannelMotion& other) {
            other.smooth > certain && still * other.turn > channel.turn;
 }
 
+// Mean square of the turn over so many rows about its mean, rad^2, of z(k), k = 0 to `count`.
+double wander_of(std::size_t count, std::size_t lag, const auto& z) {
+    const auto turned = [&](std::size_t k) { return z(k) * std::conj(z(k - lag)); };
+    std::complex<double> sum = 0;
+    for (std::size_t k = lag; k < count; ++k) {
+        sum += turned(k);
+    }
+    double across = 0;
+    double all = 0;
+    for (std::size_t k = lag; k < count; ++k) {
+        const std::complex<double> turn = turned(k);
+        all += std::norm(turn);
+        across += std::norm(turn - std::polar(std::abs(turn), std::arg(sum)));
+    }
+    return all > 0 ? across / all : 0;
+}
+
 // Sums over the second differences of the image of h = 1 and of the phasors.
 struct ImageSums {
     double image = 0;         // |second difference of the image|^2
@@ -132,6 +150,26 @@ std::optional<Diagnostic> followed_channel(const ChannelRows& c, const ChannelRo
         return Diagnostic{DiagnosticKind::reference_follows, {"D", "C"}};
     }
     return std::nullopt;
+}
+
+std::optional<Diagnostic> backward_oscillator(const ChannelRows& c, const ChannelRows& d,
+                                              const ChannelRows& turn) {
+    constexpr std::size_t lags = 100;  // in the rows
+    constexpr double certain = 5;      // by itself a wave wanders less than a fifth of that
+    const std::size_t lag = std::max<std::size_t>(c.size() / lags, 1);
+    double least = std::numeric_limits<double>::infinity();
+    for (const ChannelRows* channel : {&c, &d}) {
+        const ChannelRows& z = *channel;
+        const auto told = [&](std::size_t k) { return z[k]; };
+        const auto other = [&](std::size_t k) { return z[k] * std::conj(turn[k] * turn[k]); };
+        const double by_told = wander_of(turn.empty() ? 0 : z.size(), lag, told);
+        const double by_other = wander_of(turn.empty() ? 0 : z.size(), lag, other);
+        least = std::min(least, by_other > 0 ? std::sqrt(by_told / by_other) : 0);
+    }
+    if (!(least > certain)) {
+        return std::nullopt;
+    }
+    return Diagnostic{DiagnosticKind::oscillator_backward, {number_arg(least, 2)}};
 }
 
 void remove_image(double f_ref_hz, const std::vector<double>& time_s, ChannelRows& c,

@@ -24,6 +24,13 @@ std::optional<Diagnostic> mirrored_channel(const std::vector<std::complex<double
 std::optional<Diagnostic> followed_channel(const std::vector<std::complex<double>>& c,
                                            const std::vector<std::complex<double>>& d);
 
+// An oscillator that moves by itself leaves its motion in the phasors, which its phase takes out; a
+// phase of the wrong sign doubles it, in both channels. One that follows the wave shows nothing.
+// `turn`: by which the rows have been multiplied; empty: by none.
+std::optional<Diagnostic> backward_oscillator(const std::vector<std::complex<double>>& c,
+                                              const std::vector<std::complex<double>>& d,
+                                              const std::vector<std::complex<double>>& turn);
+
 // Removes from the phasors of both channels, relative to f_ref_hz, what a filter of few stages
 // leaves of the mixer's sum at twice the carrier: the image
 //     h conj(z) exp(-2i 2 pi f_ref t)

@@ -33,6 +33,7 @@ struct LogRows {
     std::vector<double> time_s;
     std::vector<Complex> c;
     std::vector<Complex> d;
+    std::vector<Complex> turn;  // by the oscillator's phase, which they have taken; empty: none
     std::vector<Diagnostic> warnings;
 };
 
@@ -154,9 +155,9 @@ Status check_told(const PhasorChoice& choice) {
     return {};
 }
 
-// Phase of an oscillator whose frequency moves, relative to its mean, which it returns: integral of
-// the cubic through four rows, at the ends of the straight line through two.
-Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& frequency,
+// Adds the turn of an oscillator whose frequency moves, relative to its mean, which it returns:
+// integral of the cubic through four rows, at the ends of the straight line through two.
+Result<double> turn_of_frequency(const PhasorChoice& choice, const LogColumn& frequency,
                                  LogRows& rows) {
     const std::vector<double>& f = frequency.values;
     const std::vector<double>& t = rows.time_s;
@@ -179,9 +180,7 @@ Result<double> turn_by_frequency(const PhasorChoice& choice, const LogColumn& fr
                 k > 1 && k + 1 < t.size() ? (f[k] + f[k - 1] - f[k - 2] - f[k + 1]) / 24 : 0;
             turns += (t[k] - t[k - 1]) * (straight + bent - mean);
         }
-        const Complex turn = std::polar(1.0, 2 * pi * turns);
-        rows.c[k] *= turn;
-        rows.d[k] *= turn;
+        rows.turn.push_back(std::polar(1.0, 2 * pi * turns));
     }
     return mean;
 }
@@ -230,15 +229,20 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-        turn_rows(rows, [&](std::size_t k) { return std::polar(1.0, rad * phase->values[k]); });
+        for (const double angle : phase->values) {
+            rows.turn.push_back(std::polar(1.0, rad * angle));
+        }
         if (frequency != nullptr && rows.f_ref_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
-        const double mean_hz = TRY(turn_by_frequency(how, *frequency, rows));
+        const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
         rows.f_ref_hz = mean_hz;
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
+    }
+    if (!rows.turn.empty()) {
+        turn_rows(rows, [&](std::size_t k) { return rows.turn[k]; });
     }
     if (!(rows.f_ref_hz > 0)) {
         return wrong_choice(
@@ -326,6 +330,9 @@ void drop_missing(LogRows& rows) {
             rows.time_s[kept] = rows.time_s[k];
             rows.c[kept] = rows.c[k];
             rows.d[kept] = rows.d[k];
+            if (!rows.turn.empty()) {
+                rows.turn[kept] = rows.turn[k];
+            }
             ++kept;
         }
     }
@@ -529,14 +536,16 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     const std::size_t apart = rows_in(std::max(usual_window_s, settled * filter.delay_s()));
     PhasorLog log;
     log.warnings = std::move(rows.warnings);
-    if (auto mirrored = mirrored_channel(rows.c, rows.d, step_s)) {
-        log.warnings.push_back(std::move(*mirrored));
-    }
+    const auto warn = [&log](std::optional<Diagnostic> warning) {
+        if (warning) {
+            log.warnings.push_back(std::move(*warning));
+        }
+    };
+    warn(mirrored_channel(rows.c, rows.d, step_s));
+    warn(backward_oscillator(rows.c, rows.d, rows.turn));
     if (choice.phasors.frame != PhasorFrame::pll) {
         const PhasorRun as_referred = windows_of_rows(rows, apart, step_s);
-        if (auto followed = followed_channel(as_referred.c, as_referred.d)) {
-            log.warnings.push_back(std::move(*followed));
-        }
+        warn(followed_channel(as_referred.c, as_referred.d));
     }
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {

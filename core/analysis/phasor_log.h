@@ -22,8 +22,8 @@ struct PhasorLog {
     std::int64_t rows = 0;
     std::int64_t rows_per_window = 0;
     double noise_sd = 0;  // of a row, recording units
-    // phasors_mirrored, reference_follows, channels_unequal, without the recording as first
-    // argument.
+    // phasors_mirrored, reference_follows, oscillator_backward, channels_unequal, without the
+    // recording as first argument.
     std::vector<Diagnostic> warnings = {};
 };
 

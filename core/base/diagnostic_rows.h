@@ -242,6 +242,12 @@ ROW(reference_follows, serious,
                   "--phasors common with|Choose phasors of an oscillator that moves, with} a "
                   "column of the reference's frequency (F) or phase (P), or log with a fixed "
                   "reference."))
+ROW(oscillator_backward, serious,
+    VYBEG_MESSAGE("Message",
+                  "%1: turned by the oscillator's phase the phasors wander, turned the other way "
+                  "they are %2 times as steady: the sign of Y is another one than told, or that of "
+                  "the phase. The numbers do not hold. {Give the other --y-sign|Choose the other "
+                  "sign of Y}, or change the sign of the phase in the file."))
 // Per cent of E^2.
 ROW(powers_apart, serious,
     VYBEG_MESSAGE("Message",

@@ -79,6 +79,7 @@ private slots:
         }
         const Outcome identified = run(arguments);
         VYBEG_EQUAL(identified.status, 0, identified.err);
+        QVERIFY2(!identified.err.contains("turned the other way"), identified.err);
         const QJsonObject found = json_of(identified)["resonator"].toObject();
         const QJsonObject expected =
             resonator_of_samples({order, bandwidth, samples}, log.count('\n') - 1);
@@ -307,6 +308,26 @@ private slots:
             run("identify own.csv --phasors pll --f-ref 5300.1 --y-sign + --amplitude peak");
         QCOMPARE(twice.status, 2);
         QVERIFY2(twice.err.contains("is the phase of X + iY itself"), twice.err);
+    }
+
+    // The oscillator moves by itself: what its phase should take out of both channels is doubled.
+    void a_wrong_sign_of_the_oscillator_is_told() {
+        const QString samples = path("0.npy");
+        for (const Frame frame : {Frame::common_phase, Frame::common_frequency}) {
+            for (const double y_sign : {1.0, -1.0}) {
+                write("osc.csv", log_of(samples, {4, 30, 150}, frame, y_sign, 1));
+                for (const double told : {1.0, -1.0}) {
+                    const Outcome read = run(
+                        "identify osc.csv --f-ref 5300.1 --amplitude peak --phasors common -o -",
+                        {"--y-sign", told > 0 ? "+" : "-"});
+                    const bool named =
+                        read.err.contains("turned the other way they are") &&
+                        (json_of(read)["warnings"].toArray().isEmpty() ||
+                         QJsonDocument(json_of(read)).toJson().contains("oscillator-backward"));
+                    VYBEG_EQUAL(named, told != y_sign, read.err);
+                }
+            }
+        }
     }
 
     // 0.15 phasors a second of a split of 0.05 Hz.

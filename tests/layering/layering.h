@@ -6,7 +6,7 @@
 
 namespace vybeg::test {
 
-// The longest a source file may be (DESIGN rule 8).
+// The longest a source file may be (CONTRIBUTING.md).
 inline constexpr int longest_file = 600;
 
 // The largest a class may be, counted over all its files.

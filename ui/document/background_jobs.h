@@ -50,13 +50,13 @@ using Work = std::function<Result<Value>(const JobControl&)>;
 template <class Value>
 using Done = std::function<void(Result<Value>)>;
 
-// The only file with threads. Every job works in the background on values and returns its result by
-// value to the thread of this object; `done` is called there. Jobs are told apart by kind and key:
-// a new job of the same kind and key stops the one before it, and whatever that still delivers is
-// dropped by its generation number. Analyses run one after the other, each on all processors;
-// everything else runs beside them, live analyses too: nobody waits for a long run with a spin box
-// in hand. What is large in a result (samples, track, curves, envelope) is
-// also freed in the background, whoever lets go of it last.
+// The only file of ui/ with threads. Every job works in the background on values and returns its
+// result by value to the thread of this object; `done` is called there. Jobs are told apart by kind
+// and key: a new job of the same kind and key stops the one before it, and whatever that still
+// delivers is dropped by its generation number. Analyses run one after the other, each on all
+// processors; everything else runs beside them, live analyses too: nobody waits for a long run with
+// a spin box in hand. What is large in a result (samples, track, curves, envelope) is also freed in
+// the background, whoever lets go of it last.
 class BackgroundJobs : public QObject {
     Q_OBJECT
 

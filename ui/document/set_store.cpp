@@ -216,6 +216,16 @@ void SetStore::setListed(SetId id, ListedSet listed) {
     }
 }
 
+void SetStore::changeListed(SetId id, ListedSet listed) {
+    if (RecordingSet* set = entry(id)) {
+        step([] { return tr("calibration of the set"); },
+             [&] {
+                 set->listed = std::make_shared<const ListedSet>(std::move(listed));
+                 edited(*set);
+             });
+    }
+}
+
 void SetStore::setKept(SetId id, KeptResult kept) {
     entry(id)->kept = std::move(kept);
     emit changed();

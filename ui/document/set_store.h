@@ -45,6 +45,8 @@ public:
     // No step: of a session, whose sets are made.
     void setListed(SetId id, ListedSet listed);
     void setKept(SetId id, KeptResult kept);
+    // What the list says of the set, otherwise than in its file; a step of undo.
+    void changeListed(SetId id, ListedSet listed);
     // Recordings into a set of recordings, each once.
     void addTo(SetId id, const std::vector<RecordingId>& recording_ids);
     // Into the current set; without one, or where that has logs, into a new one.

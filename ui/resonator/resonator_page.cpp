@@ -96,18 +96,38 @@ void ResonatorPage::showComparison() {
     numbers_->tabs()->setCurrentIndex(comparison_tab_);
 }
 
+// Of the panel; where a list says how the set is calibrated, of the set and of its rows.
 void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& found) {
-    Settings settings = document_.settings();
-    if (offer == QStringLiteral("kappa") && found.kappa) {
-        settings.calibration.kappa = found.kappa->value;
-        Tolerance tolerance = document_.tolerance();
-        tolerance.kappa = found.kappa->uncertainty() / found.kappa->value;
-        document_.setTolerance(tolerance);
-    } else if (offer == QStringLiteral("delay") && found.delay_d_s) {
-        settings.calibration.delay_d_s = *found.delay_d_s;
-    } else if (offer == QStringLiteral("offset") && found.offsets) {
-        settings.calibration.offset_auto = true;
+    const auto change = [&](Calibration& calibration) {
+        if (offer == QStringLiteral("kappa") && found.kappa) {
+            calibration.kappa = found.kappa->value;
+        } else if (offer == QStringLiteral("delay") && found.delay_d_s) {
+            calibration.delay_d_s = *found.delay_d_s;
+        } else if (offer == QStringLiteral("offset") && found.offsets) {
+            calibration.offset_auto = true;
+        }
+    };
+    const auto narrow = [&](Tolerance& tolerance) {
+        if (offer == QStringLiteral("kappa") && found.kappa) {
+            tolerance.kappa = found.kappa->uncertainty() / found.kappa->value;
+        }
+    };
+    const RecordingSet* set = document_.sets().current();
+    if (set && set->listed && !set->listed->by_panel) {
+        ListedSet listed = *set->listed;
+        change(listed.settings.signal.calibration);
+        for (auto& [id, member] : listed.members) {
+            change(member.signal.calibration);
+        }
+        narrow(listed.settings.tolerance);
+        document_.sets().changeListed(set->id, std::move(listed));
+        return;
     }
+    Settings settings = document_.settings();
+    change(settings.calibration);
+    Tolerance tolerance = document_.tolerance();
+    narrow(tolerance);
+    document_.setTolerance(tolerance);
     document_.setSettings(settings);
 }
 

@@ -27,7 +27,7 @@ enum class Flag : std::uint16_t {
     delay_reach = 128,      // the quarter-period delay reaches beyond the samples (algorithm 2)
     // The closed form lies more than one standard deviation from the best wave of its window.
     leakage = 256,
-    // A slow variable bends inside the window by half its standard deviation, the residual is far
+    // A slow variable bends inside the window by 0.6 of its standard deviation, the residual is far
     // above the recording's noise, or the branch of the angle between windows is unknown.
     moving = 512,
 };
@@ -136,7 +136,7 @@ class Estimator {
 public:
     virtual ~Estimator() = default;
 
-    // Number of samples needed on both sides of a window; a window without them is flagged as gap.
+    // Number of samples needed on both sides of a window; without them it is flagged delay-reach.
     virtual std::int64_t context() const { return 0; }
 
     // Whether the estimate of a window needs that of the window before; such blocks are not

@@ -41,7 +41,8 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
                                 std::optional<std::int64_t> lines_to_skip, const JobControl& job);
 
 // The format of a file with this head: what `choice` says and, for the rest, guess_text_format().
-// Errors: text_no_data; text_no_table, text_lines_missing, column_out_of_range where the choice
+// Errors: text_thousands, text_decimal_commas, format_unsupported (too many columns), text_no_data;
+// text_no_table, text_lines_missing, column_out_of_range where the choice
 // does not fit the file.
 Result<TextFormat> find_text_format(const FileBytes& file, const TextHead& head,
                                     const TextChoice& choice);

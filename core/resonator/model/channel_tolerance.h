@@ -19,8 +19,8 @@ struct ChannelTolerance {
     friend bool operator==(const ChannelTolerance&, const ChannelTolerance&) = default;
 };
 
-// Sources of error besides the noise: channels and clock, which have a tolerance, and effects that
-// the model holds at zero.
+// Sources of error besides the noise: channels, clock and the spread of a set, which have a
+// tolerance, and effects that the model holds at zero.
 enum ErrorSource : int {
     kappa_error,
     skew_error,

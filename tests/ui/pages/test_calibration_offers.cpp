@@ -4,6 +4,7 @@
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
 
+#include <QFileInfo>
 #include <QLabel>
 #include <QTest>
 
@@ -80,6 +81,37 @@ private slots:
         QVERIFY(calibration().offset_auto);
         identify();
         QVERIFY2(!sentence().text().contains("href"), qPrintable(sentence().text()));
+    }
+
+    // Of a measurement list its own calibration counts, not that of the panel.
+    void of_a_listed_set_its_own_calibration_changes() {
+        QByteArray list = "set,file,kappa\n";
+        for (const QString& path : resonatorRuns(home_, "listed", {.kappa = 1.02})) {
+            list += "one," + QFileInfo(path).fileName().toUtf8() + ",1.001\n";
+        }
+        document().sets().openList(home_.file("list.csv", list), {});
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                const RecordingSet* set = document().sets().current();
+                return set && set->recordings.size() == 4 && document().sets().canIdentify() &&
+                       !document().busy();
+            },
+            20000));
+        identify();
+        const Estimate found = outcome()->identification.fit.resonator.kappa;
+        QVERIFY2(sentence().text().contains("href=\"kappa\""), qPrintable(sentence().text()));
+        emit sentence().linkActivated("kappa");
+        VYBEG_EQUAL(calibration().kappa, 1.0);
+        const auto measured = [&] {
+            return document().sets().measured(*document().sets().current());
+        };
+        for (std::size_t k = 0; k < 4; ++k) {
+            VYBEG_EQUAL(measured().settings.signal_of(k).calibration.kappa, found.value);
+        }
+        identify();
+        QVERIFY2(!sentence().text().contains("href"), qPrintable(sentence().text()));
+        document().undoStack().undo();
+        VYBEG_EQUAL(measured().settings.signal_of(0).calibration.kappa, 1.001);
     }
 
     void a_calibrated_pair_is_offered_nothing() {
