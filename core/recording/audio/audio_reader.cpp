@@ -473,9 +473,8 @@ Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t pro
 Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
-    const LibraryFormat format{"audio", container, true};
-    auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
-    const Catalogue catalogue = process->catalogue();
+    const auto library = TRY(open_library(file, "audio", container, /*seeks=*/true));
+    const Catalogue& catalogue = library.catalogue;
     if (catalogue.variables.size() != 1) {
         return file->damaged(container, VYBEG_MESSAGE("Words", "its library returned nonsense"));
     }
@@ -488,8 +487,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     }
     // Checked before frames are counted.
     TRY(choose_rate(*file, own, options));
-    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    const auto frames = TRY(count_frames(*reader, samples.frames, job));
+    const auto frames = TRY(count_frames(*library.reader, samples.frames, job));
     FoundSamples found;
     found.format = {FormatPart::name(catalogue.format), FormatPart::words(samples.type),
                     FormatPart::channels(channels)};
@@ -503,7 +501,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
     auto source =
-        TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+        TRY(library.reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
     found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }
