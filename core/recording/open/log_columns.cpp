@@ -424,14 +424,15 @@ Result<File> unpacked(File file) {
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles) {
     std::vector<ColumnWish> wishes;
-    for (std::size_t at = 0; !text.empty() && at <= text.size();) {
-        const std::size_t end = std::min(text.find(',', at), text.size());
-        const std::string entry = text.substr(at, end - at);
+    const auto is_wished = [&wishes](std::string_view name) {
+        return std::ranges::any_of(
+            wishes, [name](const ColumnWish& wish) { return wish.role.name == name; });
+    };
+    const auto entries = text.empty() ? std::vector<std::string_view>() : parts_between(text, ',');
+    for (const std::string_view entry : entries) {
         const std::size_t sign = std::min(entry.find('='), entry.size());
-        const std::string column =
-            sign < entry.size() ? std::string(trimmed(std::string_view(entry).substr(sign + 1)))
-                                : std::string();
-        const std::string name = entry.substr(0, sign);
+        const std::string column(trimmed(entry.substr(std::min(sign + 1, entry.size()))));
+        const std::string_view name = entry.substr(0, sign);
         const auto role = std::ranges::find_if(roles, [&name](const ColumnRole& each) {
             return same_name_as(name, each.name) || is_usual_name(name, each);
         });
@@ -443,26 +444,21 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                     "=COLUMN where the file calls it otherwise"),
                       {joined(roles, ", ", &ColumnRole::name)}));
         }
-        if (std::ranges::any_of(wishes, [&role](const ColumnWish& wish) {
-                return wish.role.name == std::string_view(role->name);
-            })) {
+        if (is_wished(role->name)) {
             return refused_value("--columns", text,
                                  words(VYBEG_MESSAGE("Words", "%1 is named twice"), {role->name}));
         }
         wishes.push_back({*role, column, true});
-        at = end + 1;
     }
     for (const ColumnRole& role : roles) {
-        const bool told = std::ranges::any_of(wishes, [&](const ColumnWish& wish) {
-            return wish.role.name == std::string_view(role.name);
-        });
-        if (!told && role.needed && !text.empty()) {
+        if (is_wished(role.name)) {
+            continue;
+        }
+        if (role.needed && !text.empty()) {
             return refused_value("--columns", text,
                                  words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name}));
         }
-        if (!told) {
-            wishes.push_back({role, ""});
-        }
+        wishes.push_back({role, ""});
     }
     return wishes;
 }
