@@ -247,7 +247,6 @@ int run(int argc, char** argv) {
     }
 
     // A simulation has no warnings but of options, and says each.
-    info.verbose = log_options.verbose;
     log_options.verbose = log_options.verbose || simulate_command->parsed();
     Log log(log_options);
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {
