@@ -41,13 +41,10 @@ Json written(const Estimate& estimate) {
     return json;
 }
 
-// What is wrong with a passport, thrown by the following functions.
-struct Fault {
-    MessageArg reason;
-};
-struct LaterSchema {
-    int schema;
-};
+// What is wrong with a passport, thrown by the following functions without its place.
+Error fault(MessageArg reason) {
+    return {ErrorCode::passport_damaged, {}, {std::move(reason)}};
+}
 
 // A value of the file with its place, as "resonator.tau_s.value" or "runs[1].a_A".
 class Node {
@@ -64,7 +61,7 @@ public:
         const auto found = json_.find(key);
         const std::string place = place_.empty() ? key : place_ + '.' + key;
         if (found == json_.end()) {
-            throw Fault{words(VYBEG_MESSAGE("Words", "%1 is missing"), {place})};
+            throw fault(words(VYBEG_MESSAGE("Words", "%1 is missing"), {place}));
         }
         return {*found, place};
     }
@@ -143,8 +140,8 @@ public:
 
     // `expected`: what has to stand here.
     [[noreturn]] void wrong(const char* expected) const {
-        throw Fault{words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
-                          {place_, words(expected), found()})};
+        throw fault(words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
+                          {place_, words(expected), found()}));
     }
 
 private:
@@ -314,13 +311,15 @@ Passport read_any(const Node& whole) {
         schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
     }
     if (schema.whole_number() > Passport::schema) {
-        throw LaterSchema{schema.whole_number()};
+        throw Error{ErrorCode::passport_schema,
+                    {},
+                    {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
     }
     if (schema.whole_number() < Passport::schema) {
-        throw Fault{words(VYBEG_MESSAGE("Words",
+        throw fault(words(VYBEG_MESSAGE("Words",
                                         "its schema %1 is that of an early version, which is read "
                                         "no longer: identify its recordings again"),
-                          {count_arg(schema.whole_number())})};
+                          {count_arg(schema.whole_number())}));
     }
     return read_all(whole);
 }
@@ -329,23 +328,19 @@ Passport read_any(const Node& whole) {
 template <class Read>
 auto reading(std::string_view text, const std::string& where, const Read& read)
     -> Result<decltype(read(Json()))> {
-    const auto damaged = [&where](const MessageArg& reason) {
-        return Error{ErrorCode::passport_damaged, where, {reason}};
-    };
+    Error error;
     try {
         return read(Json::parse(text));
-    } catch (const Json::parse_error& error) {
-        return damaged(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
-                             {count_arg(static_cast<std::int64_t>(error.byte))}));
+    } catch (const Json::parse_error& parsed) {
+        error = fault(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
+                            {count_arg(static_cast<std::int64_t>(parsed.byte))}));
     } catch (const Json::exception&) {
-        return damaged(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
-    } catch (const LaterSchema& later) {
-        return Error{ErrorCode::passport_schema,
-                     where,
-                     {count_arg(later.schema), count_arg(Passport::schema)}};
-    } catch (const Fault& fault) {
-        return damaged(fault.reason);
+        error = fault(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
+    } catch (const Error& thrown) {
+        error = thrown;
     }
+    error.where = where;
+    return error;
 }
 
 // `input`: index of the recording that it concerns; -1: the fit.
@@ -418,7 +413,7 @@ std::string passport_json(const Passport& passport) {
 Result<Passport> read_passport(std::string_view text, const std::string& where) {
     return reading(text, where, [](const Json& json) {
         if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
-            throw Fault{words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))};
+            throw fault(words(VYBEG_MESSAGE("Words", "its JSON is not a passport's")));
         }
         return read_any(Node(json, ""));
     });
