@@ -119,7 +119,7 @@ void add_batch_options(CLI::App& app, BatchRequest& request, bool& timing) {
     app.add_flag("--resume", request.resume,
                  "Keep the rows of an interrupted run whose files and options are the same");
     add_text(app, "--only", "NAME", request.only, "This set alone");
-    add_identify_options(app, request.settings);
+    add_analysis_options(app, identify_settings(), request.settings);
     add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
     add_timing(app, timing);
@@ -138,7 +138,7 @@ void add_identification(CLI::App& app, IdentifyRequest& request, bool& timing) {
         ->needs(list);
     add_text(app, "-o,--output", "RESULT.json", request.output,
              "The result, JSON; - for standard output (default: a summary there)");
-    add_identify_options(app, request.settings);
+    add_analysis_options(app, identify_settings(), request.settings);
     add_settings(app, open_settings(), request.open);
     add_timing(app, timing);
 }
@@ -186,7 +186,7 @@ int run(int argc, char** argv) {
                      "on standard output")
         ->type_name("TRACK")
         ->required();
-    add_analysis_options(*analyze_command, analyze.settings);
+    add_analysis_options(*analyze_command, analysis_settings(), analyze.settings);
     add_settings(*analyze_command, open_settings(), analyze.open);
     add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);

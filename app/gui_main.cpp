@@ -82,7 +82,7 @@ void describe(CLI::App& app, GuiRequest& request) {
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
         ->type_name("");
-    add_analysis_options(app, request.settings);
+    add_analysis_options(app, analysis_settings(), request.settings);
     add_setting(app, *row_named(identify_settings(), "tolerance"), request.identify);
     add_settings(app, open_settings(), request.open);
     add_text(app, "--figure", "FIGURE", request.figure,

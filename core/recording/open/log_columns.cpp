@@ -309,49 +309,37 @@ int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> w
 // A table of numbers that is neither lines nor variables.
 struct ArrayTable {
     std::vector<Channel> headings;  // of its columns
-    std::function<Result<std::vector<double>>(std::size_t column)> read;
+    std::vector<std::function<Result<std::vector<double>>()>> read;
+
+    void add(const std::vector<NamedColumn>& columns) {
+        for (const auto& [heading, column] : columns) {
+            headings.push_back(heading);
+            read.emplace_back([column = column]() -> Result<std::vector<double>> {
+                std::vector<double> values(static_cast<std::size_t>(column.frames()));
+                TRY(read_column(column, 0, values));
+                return values;
+            });
+        }
+    }
 };
-
-ArrayTable table_of(std::vector<NamedColumn> columns) {
-    ArrayTable table;
-    for (const NamedColumn& each : columns) {
-        table.headings.push_back(each.heading);
-    }
-    table.read = [columns = std::move(columns)](std::size_t place) -> Result<std::vector<double>> {
-        const SampleColumn& column = columns[place].column;
-        std::vector<double> values(static_cast<std::size_t>(column.frames()));
-        TRY(read_column(column, 0, values));
-        return values;
-    };
-    return table;
-}
-
-ArrayTable table_of(std::vector<LaboneField> fields) {
-    ArrayTable table;
-    for (const LaboneField& each : fields) {
-        table.headings.push_back({each.name, ""});
-    }
-    table.read = [fields = std::move(fields)](std::size_t place) {
-        return Result(fields[place].values);
-    };
-    return table;
-}
 
 // The table of a file that holds one; without columns: it holds none.
 Result<ArrayTable> find_array(const File& file, std::string_view head, const JobControl& job) {
+    ArrayTable table;
     if (is_npy(head)) {
-        auto columns = TRY(npy_columns(file));
-        return table_of(std::move(columns));
-    }
-    if (is_mat5(head)) {
-        auto columns = TRY(moku_columns(file, job));
-        return table_of(std::move(columns));
-    }
-    if (is_labone_rows(head)) {
+        const auto columns = TRY(npy_columns(file));
+        table.add(columns);
+    } else if (is_mat5(head)) {
+        const auto columns = TRY(moku_columns(file, job));
+        table.add(columns);
+    } else if (is_labone_rows(head)) {
         auto fields = TRY(read_labone_rows(file, job));
-        return table_of(std::move(fields));
+        for (LaboneField& each : fields) {
+            table.headings.push_back({each.name, ""});
+            table.read.emplace_back([values = std::move(each.values)] { return Result(values); });
+        }
     }
-    return ArrayTable();
+    return table;
 }
 
 Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
@@ -368,7 +356,7 @@ Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
             continue;
         }
         const Channel& heading = array.headings[static_cast<std::size_t>(place)];
-        auto values = TRY(array.read(static_cast<std::size_t>(place)));
+        auto values = TRY(array.read[static_cast<std::size_t>(place)]());
         rows = std::min(rows, values.size());
         if (is_time(wishes[k])) {
             time = &heading;
