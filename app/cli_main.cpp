@@ -180,11 +180,8 @@ int run(int argc, char** argv) {
     CLI::App* const analyze_command =
         app.add_subcommand("analyze", "The slow variables of a recording over time");
     add_input(*analyze_command, analyze.input);
-    analyze_command
-        ->add_option("-o,--output", analyze.output,
-                     "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV "
-                     "on standard output")
-        ->type_name("TRACK")
+    add_text(*analyze_command, "-o,--output", "TRACK", analyze.output,
+             "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV on standard output")
         ->required();
     add_analysis_options(*analyze_command, analysis_settings(), analyze.settings);
     add_settings(*analyze_command, open_settings(), analyze.open);
@@ -196,19 +193,15 @@ int run(int argc, char** argv) {
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
     add_identification(*identify_command, identification, log_options.timing);
-    identify_command
-        ->add_option("--passport", identification.new_passport,
-                     "Also write the gyro's passport, to compare with later")
-        ->type_name("PASSPORT.json");
+    add_text(*identify_command, "--passport", "PASSPORT.json", identification.new_passport,
+             "Also write the gyro's passport, to compare with later");
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
 
     CLI::App* const compare_command =
         app.add_subcommand("compare", "Identify the resonator and compare it with its passport");
-    compare_command
-        ->add_option("PASSPORT", identification.old_passport,
-                     "A passport that identify has written")
-        ->type_name("")
+    add_text(*compare_command, "PASSPORT", "", identification.old_passport,
+             "A passport that identify has written")
         ->required();
     add_identification(*compare_command, identification, log_options.timing);
     add_compare_options(*compare_command, identification.compare);

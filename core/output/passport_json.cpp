@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -77,6 +79,14 @@ public:
         return nodes;
     }
 
+    // What `read` makes of each element.
+    template <class Read>
+    auto list(const Read& read) const {
+        std::vector<std::invoke_result_t<Read, const Node&>> all;
+        std::ranges::transform(elements(), std::back_inserter(all), read);
+        return all;
+    }
+
     // Values by their names, all of them texts.
     std::vector<std::pair<std::string, std::string>> texts_by_name() const {
         if (!json_.is_object()) {
@@ -96,13 +106,7 @@ public:
         return json_.get<std::string>();
     }
 
-    std::vector<std::string> texts() const {
-        std::vector<std::string> all;
-        for (const Node& node : elements()) {
-            all.push_back(node.text());
-        }
-        return all;
-    }
+    std::vector<std::string> texts() const { return list(&Node::text); }
 
     int whole_number() const {
         if (!json_.is_number_integer()) {
@@ -130,13 +134,7 @@ public:
         return is_null() ? std::numeric_limits<double>::quiet_NaN() : number();
     }
 
-    std::vector<double> numbers() const {
-        std::vector<double> values;
-        for (const Node& node : elements()) {
-            values.push_back(node.number_or_nan());
-        }
-        return values;
-    }
+    std::vector<double> numbers() const { return list(&Node::number_or_nan); }
 
     // `expected`: what has to stand here.
     [[noreturn]] void wrong(const char* expected) const {
@@ -186,13 +184,16 @@ Estimate read_estimate(const Node& json) {
     return estimate;
 }
 
+// Reads the owner of these parameters.
 template <class Owner, class Parameters>
-Owner read_parameters(const Node& json, const Parameters& parameters) {
-    Owner owner;
-    for (const auto& parameter : parameters) {
-        owner.*parameter.member = read_estimate(json.at(parameter.name));
-    }
-    return owner;
+auto reader_of(const Parameters& parameters) {
+    return [&parameters](const Node& json) {
+        Owner owner;
+        for (const auto& parameter : parameters) {
+            owner.*parameter.member = read_estimate(json.at(parameter.name));
+        }
+        return owner;
+    };
 }
 
 RecordingRef read_input(const Node& json) {
@@ -243,20 +244,13 @@ Passport read_all(const Node& json) {
     if (json.has("conditions")) {
         passport.conditions = json.at("conditions").texts_by_name();
     }
-    for (const Node& input : json.at("inputs").elements()) {
-        passport.inputs.push_back(read_input(input));
-    }
+    passport.inputs = json.at("inputs").list(read_input);
     passport.settings = json.at("settings").texts_by_name();
     passport.model = read_model(json.at("model"));
-    passport.resonator =
-        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
-    for (const Node& mode : json.at("modes").elements()) {
-        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
-    }
+    passport.resonator = reader_of<ResonatorEstimate>(resonator_parameters)(json.at("resonator"));
+    passport.modes = json.at("modes").list(reader_of<ModeEstimate>(mode_parameters));
     passport.mode_order = read_mode_order(json.at("modes_by"));
-    for (const Node& run : json.at("runs").elements()) {
-        passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters));
-    }
+    passport.runs = json.at("runs").list(reader_of<RunEstimate>(run_parameters));
     const Node parameters = json.at("parameters");
     passport.raw.names = parameters.at("names").texts();
     passport.raw.values = parameters.at("values").numbers();
@@ -270,9 +264,7 @@ Passport read_all(const Node& json) {
         parameters.at("covariance")
             .wrong(VYBEG_MESSAGE("Words", "a list of a number for each two names"));
     }
-    for (const Node& track : json.at("tracks").elements()) {
-        passport.tracks.push_back(read_track(track));
-    }
+    passport.tracks = json.at("tracks").list(read_track);
     return passport;
 }
 
@@ -392,9 +384,7 @@ SetResult read_saved(const Node& whole) {
     fit.no_modes =
         stored_reason(no_modes.at("kind").text(), no_modes.at("args").texts()).value_or(Reason{});
     fit.chi2_per_dof = whole.at("chi2_per_dof").number_or_nan();
-    for (const Node& run : whole.at("runs").elements()) {
-        result.identification.runs.push_back(read_run(run));
-    }
+    result.identification.runs = whole.at("runs").list(read_run);
     const std::size_t count = result.set.recordings.size();
     fit.runs.resize(count);
     result.identification.runs.resize(count);
