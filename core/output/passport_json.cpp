@@ -269,14 +269,13 @@ Passport read_all(const Node& json) {
 }
 
 Json passport_object(const Passport& passport) {
-    Json tracks = Json::array();
-    for (const RunTrack& track : passport.tracks) {
+    const auto columns_of = [](const RunTrack& track) {
         Json columns;
         for (const TrackColumn& column : track_columns) {
             columns[column.name] = numbers_json(track.*column.member);
         }
-        tracks.push_back(columns);
-    }
+        return columns;
+    };
     return {{"vybeg", "passport"},
             {"schema", Passport::schema},
             {"program", passport.program},
@@ -294,7 +293,7 @@ Json passport_object(const Passport& passport) {
              {{"names", passport.raw.names},
               {"values", numbers_json(passport.raw.values)},
               {"covariance", numbers_json(passport.raw.covariance)}}},
-            {"tracks", tracks}};
+            {"tracks", list_json(passport.tracks, columns_of)}};
 }
 
 Passport read_any(const Node& whole) {
