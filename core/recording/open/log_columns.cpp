@@ -92,32 +92,31 @@ void keep_rows(LogTable& table, Keep keep) {
     cut(table.time_s);
 }
 
-// Place of a column of a text, from 0; -1: it is not there. `order`: that of a text without names.
-int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order) {
+// Place of a column, from 0; -1: it is not there. `order`: that of a table without names.
+int place_of(const std::vector<Channel>& headings, const ColumnWish& wish, std::size_t order) {
     if (const auto number = parse_number(wish.column);
-        number && *number >= 1 && *number <= format.columns) {
+        number && *number >= 1 && *number <= static_cast<double>(headings.size())) {
         return static_cast<int>(*number) - 1;
     }
-    for (std::size_t k = 0; k < format.headings.size(); ++k) {
-        if (is_called(format.headings[k].name, wish) ||
-            is_called(name_and_unit(format.headings[k].name).name, wish)) {
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        if (is_called(headings[k].name, wish) ||
+            is_called(name_and_unit(headings[k].name).name, wish)) {
             return static_cast<int>(k);
         }
     }
     const bool nameless =
-        std::ranges::all_of(format.headings, [](const Channel& each) { return each.name.empty(); });
-    return nameless && wish.column.empty() && order < static_cast<std::size_t>(format.columns)
-               ? static_cast<int>(order)
-               : -1;
+        std::ranges::all_of(headings, [](const Channel& each) { return each.name.empty(); });
+    return nameless && wish.column.empty() && order < headings.size() ? static_cast<int>(order)
+                                                                      : -1;
 }
 
-// Order of a wish among the columns of a text without names: of those that are named, or of all.
+// Order of a wish among the columns of a table without names: of those that are named, or of all.
 std::size_t order_of(std::span<const ColumnWish> wishes, std::size_t wish,
-                     const TextFormat& format) {
+                     const std::vector<Channel>& headings) {
     if (wishes.front().told && !wishes[wish].told) {
         return std::numeric_limits<std::size_t>::max();
     }
-    const std::size_t before = format.columns == 1 && is_time(wishes.front()) ? 1 : 0;
+    const std::size_t before = headings.size() == 1 && is_time(wishes.front()) ? 1 : 0;
     return wish - before;
 }
 
@@ -133,7 +132,7 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
         return format;
     }
     const auto at = static_cast<std::size_t>(time - wishes.begin());
-    const int place = place_of(format, *time, order_of(wishes, at, format));
+    const int place = place_of(format.headings, *time, order_of(wishes, at, format.headings));
     if (place < 0) {
         return !time->told ? Result<TextFormat>(format)
                            : missing_column(*file, *time, format.headings);
@@ -214,7 +213,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (is_time(wishes[k])) {
             continue;
         }
-        places[k] = place_of(format, wishes[k], order_of(wishes, k, format));
+        places[k] = place_of(format.headings, wishes[k], order_of(wishes, k, format.headings));
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
         } else if (wishes[k].role.needed || wishes[k].told) {
@@ -298,12 +297,9 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
 // Place of a wished column; of a table without names only by its number or its order.
 int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
              std::size_t wish) {
-    TextFormat format;
-    format.columns = static_cast<int>(headings.size());
-    format.headings = headings;
-    const std::size_t order = wishes.front().told ? order_of(wishes, wish, format)
+    const std::size_t order = wishes.front().told ? order_of(wishes, wish, headings)
                                                   : std::numeric_limits<std::size_t>::max();
-    return place_of(format, wishes[wish], order);
+    return place_of(headings, wishes[wish], order);
 }
 
 // A table of numbers that is neither lines nor variables.
