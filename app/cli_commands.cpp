@@ -12,8 +12,8 @@
 #include "core/base/plain_text.h"
 #include "core/batch/batch_request.h"
 #include "core/batch/identify_set.h"
+#include "core/output/identify_json.h"
 #include "core/output/output_file.h"
-#include "core/output/recording_json.h"
 #include "core/output/track_file.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/open/open_recording.h"
@@ -176,7 +176,7 @@ Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
     log.warnings(without_effect(request.open, recording));
     const double read = seconds_now();
     TRY(write_text(request.json ? recording_json(recording, sha256, faults.findings)
-                                : described(recording, sha256, faults.findings, request.verbose),
+                                : described(recording, sha256, faults.findings, log.verbose()),
                    silent_job(stop)));
     log.timing({.read_s = read - begun, .threads = threads_of(0)}, seconds_now() - read, 0);
     return {};

@@ -24,7 +24,6 @@ struct InfoRequest {
     std::string input;
     OpenOptions open;
     bool json = false;
-    bool verbose = false;
 };
 
 struct AnalyzeRequest {

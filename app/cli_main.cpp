@@ -119,7 +119,7 @@ void add_batch_options(CLI::App& app, BatchRequest& request, bool& timing) {
     app.add_flag("--resume", request.resume,
                  "Keep the rows of an interrupted run whose files and options are the same");
     add_text(app, "--only", "NAME", request.only, "This set alone");
-    add_identify_options(app, request.settings);
+    add_analysis_options(app, identify_settings(), request.settings);
     add_settings(app, open_settings(), request.open);
     add_compare_options(app, request.compare);
     add_timing(app, timing);
@@ -138,7 +138,7 @@ void add_identification(CLI::App& app, IdentifyRequest& request, bool& timing) {
         ->needs(list);
     add_text(app, "-o,--output", "RESULT.json", request.output,
              "The result, JSON; - for standard output (default: a summary there)");
-    add_identify_options(app, request.settings);
+    add_analysis_options(app, identify_settings(), request.settings);
     add_settings(app, open_settings(), request.open);
     add_timing(app, timing);
 }
@@ -180,13 +180,10 @@ int run(int argc, char** argv) {
     CLI::App* const analyze_command =
         app.add_subcommand("analyze", "The slow variables of a recording over time");
     add_input(*analyze_command, analyze.input);
-    analyze_command
-        ->add_option("-o,--output", analyze.output,
-                     "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV "
-                     "on standard output")
-        ->type_name("TRACK")
+    add_text(*analyze_command, "-o,--output", "TRACK", analyze.output,
+             "The track: .csv, .mat, .h5 or .npz by its ending; - for CSV on standard output")
         ->required();
-    add_analysis_options(*analyze_command, analyze.settings);
+    add_analysis_options(*analyze_command, analysis_settings(), analyze.settings);
     add_settings(*analyze_command, open_settings(), analyze.open);
     add_settings(*analyze_command, log_settings(), analyze.log);
     add_log_options(*analyze_command, log_options);
@@ -196,19 +193,15 @@ int run(int argc, char** argv) {
     CLI::App* const identify_command = app.add_subcommand(
         "identify", "The resonator behind one or several recordings of its free decay");
     add_identification(*identify_command, identification, log_options.timing);
-    identify_command
-        ->add_option("--passport", identification.new_passport,
-                     "Also write the gyro's passport, to compare with later")
-        ->type_name("PASSPORT.json");
+    add_text(*identify_command, "--passport", "PASSPORT.json", identification.new_passport,
+             "Also write the gyro's passport, to compare with later");
     add_database(*identify_command, identification.database);
     add_log_options(*identify_command, log_options);
 
     CLI::App* const compare_command =
         app.add_subcommand("compare", "Identify the resonator and compare it with its passport");
-    compare_command
-        ->add_option("PASSPORT", identification.old_passport,
-                     "A passport that identify has written")
-        ->type_name("")
+    add_text(*compare_command, "PASSPORT", "", identification.old_passport,
+             "A passport that identify has written")
         ->required();
     add_identification(*compare_command, identification, log_options.timing);
     add_compare_options(*compare_command, identification.compare);
@@ -247,7 +240,6 @@ int run(int argc, char** argv) {
     }
 
     // A simulation has no warnings but of options, and says each.
-    info.verbose = log_options.verbose;
     log_options.verbose = log_options.verbose || simulate_command->parsed();
     Log log(log_options);
     if (const std::string fault = usage_fault(app, words); !fault.empty()) {

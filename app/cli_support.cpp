@@ -59,7 +59,10 @@ Status write_answer(const CLI::App& app, const CLI::ParseError& asked) {
     return write_text(text.str(), JobControl());
 }
 
-Log::Log(const LogOptions& options) : options_(options), terminal_(isatty(STDERR_FILENO)) {}
+Log::Log(const LogOptions& options)
+    : options_(options),
+      begin_(std::string(options.program) + ": "),
+      terminal_(isatty(STDERR_FILENO)) {}
 
 Log::~Log() {
     clear_progress();
@@ -112,8 +115,7 @@ void Log::each_warning(std::span<const NamedWarnings> all, const std::string& se
     for (const auto& [about, diagnostic, severity] : each) {
         const std::string text = english(*diagnostic);
         if (!options_.json) {
-            line(std::string("vybeg-cli: ") +
-                 (severity == Severity::note ? "note: " : "warning: ") +
+            line(begin_ + (severity == Severity::note ? "note: " : "warning: ") +
                  (about.empty() ? "" : plain_text(about) + ": ") + text);
             continue;
         }
@@ -131,17 +133,16 @@ void Log::each_warning(std::span<const NamedWarnings> all, const std::string& se
 }
 
 void Log::worst_warnings(std::span<const NamedWarnings> all, const std::string& set) {
-    const std::string begin = "vybeg-cli: warning: " + (set.empty() ? "" : plain_text(set) + ": ");
+    const std::string of_set = set.empty() ? "" : plain_text(set) + ": ";
     std::vector<Finding> findings = findings_of(all);
     const std::size_t count = count_warnings(findings);
     for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
         // A set of one file has its name.
         std::erase(findings[k].about, set);
-        line(begin + english(findings[k]));
+        line(begin_ + "warning: " + of_set + english(findings[k]));
     }
     if (count > most_shown) {
-        line("vybeg-cli: " + (set.empty() ? "" : plain_text(set) + ": ") +
-             std::to_string(count - most_shown) + " more: --verbose");
+        line(begin_ + of_set + std::to_string(count - most_shown) + " more: " + options_.all_by);
     }
 }
 
@@ -152,7 +153,7 @@ int Log::fail(const Error& error, const std::string& about) {
         // The text begins with the place of the error, of a set that may be its name.
         const bool named =
             error.where == about || std::filesystem::path(error.where).filename() == about;
-        line("vybeg-cli: " + (about.empty() || named ? "" : plain_text(about) + ": ") + text);
+        line(begin_ + (about.empty() || named ? "" : plain_text(about) + ": ") + text);
         return status;
     }
     Json object{
@@ -170,7 +171,7 @@ int Log::fail_usage(const std::string& sentence) {
                                     {"code", code_name(ErrorCode::setting_invalid)},
                                     {"text", sentence},
                                     {"status", status}})
-                       : "vybeg-cli: " + sentence + " See vybeg-cli --help.");
+                       : begin_ + sentence + " See vybeg-cli --help.");
     return status;
 }
 

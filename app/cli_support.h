@@ -26,6 +26,8 @@ struct LogOptions {
     bool json = false;     // --json-log
     bool verbose = false;  // people see all warnings, and notes
     bool timing = false;   // --timing
+    const char* program = "vybeg-cli";
+    const char* all_by = "--verbose";  // how people see all warnings
 };
 
 // What goes to standard error: sentences for people, or with --json-log one JSON object per line,
@@ -35,6 +37,8 @@ public:
     // Progress for people is shown on a terminal alone.
     explicit Log(const LogOptions& options);
     ~Log();
+
+    bool verbose() const { return options_.verbose; }
 
     // The worst of them, each kind once. `set`: which they concern, where there are several.
     void warnings(std::span<const NamedWarnings> all, const std::string& set = {});
@@ -57,6 +61,7 @@ private:
     void clear_progress();
 
     LogOptions options_;
+    std::string begin_;  // of a line for people
     bool terminal_;
     int percent_ = -1;  // on the screen
 };

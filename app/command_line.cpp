@@ -1,7 +1,6 @@
 #include "app/command_line.h"
 
 #include "core/analysis/list_fields.h"
-#include "core/analysis/setting_table.h"
 #include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
@@ -179,16 +178,6 @@ std::string parse_fault(const CLI::App& app, const CLI::ParseError& error, std::
 std::string usage_fault(const CLI::App& app, std::span<char*> words) {
     const std::string fault = unknown_option(app, words);
     return fault.empty() ? repeated_or_empty(app) : fault;
-}
-
-void add_analysis_options(CLI::App& app, Settings& settings) {
-    add_settings(app, analysis_settings(), settings);
-    app.get_option("--periods")->excludes("--window");
-}
-
-void add_identify_options(CLI::App& app, IdentifySettings& settings) {
-    add_settings(app, identify_settings(), settings);
-    app.get_option("--periods")->excludes("--window");
 }
 
 }  // namespace vybeg::cli

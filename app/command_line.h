@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/analysis/identify_settings.h"
-#include "core/analysis/settings.h"
 #include "core/base/read_value.h"
 #include "core/base/setting_rows.h"
 
@@ -76,13 +74,12 @@ void add_settings(CLI::App& app, const std::vector<SettingRow<S>>& rows, S& sett
     }
 }
 
-// The options that say how a recording is analysed: --algorithm to --angle-zero, --threads.
-// `settings` must outlive the parse. Their values are checked one by one here and together by
-// validate().
-void add_analysis_options(CLI::App& app, Settings& settings);
-
-// Those of them that have a part in an identification, --model, --tolerance and what logs are.
-// `settings` must outlive the parse.
-void add_identify_options(CLI::App& app, IdentifySettings& settings);
+// The options that say how a recording is analysed or identified, by their table. `settings` must
+// outlive the parse. Their values are checked one by one here and together by validate().
+template <class S>
+void add_analysis_options(CLI::App& app, const std::vector<SettingRow<S>>& rows, S& settings) {
+    add_settings(app, rows, settings);
+    app.get_option("--periods")->excludes("--window");
+}
 
 }  // namespace vybeg::cli

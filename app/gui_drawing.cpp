@@ -1,6 +1,6 @@
 #include "app/gui_drawing.h"
 
-#include "app/process_guard.h"
+#include "app/cli_support.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
@@ -17,7 +17,6 @@
 #include "core/output/output_file.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
-#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
@@ -49,9 +48,14 @@
 
 namespace vybeg::cli {
 
+namespace {
+
+constexpr LogOptions to_people{.program = "vybeg", .all_by = "vybeg-cli analyze --verbose"};
+
+}  // namespace
+
 int fail(const Error& error) {
-    std::fprintf(stderr, "vybeg: %s\n", english(error).c_str());
-    return exit_status(error.code);
+    return Log(to_people).fail(error);
 }
 
 int ended(const Status& done) {
@@ -59,14 +63,7 @@ int ended(const Status& done) {
 }
 
 void warn(const std::vector<Diagnostic>& diagnostics) {
-    const std::vector<Finding> findings = findings_of(diagnostics);
-    const std::size_t count = count_warnings(findings);
-    for (std::size_t k = 0; k < std::min(count, most_shown); ++k) {
-        std::fprintf(stderr, "vybeg: warning: %s\n", english(findings[k]).c_str());
-    }
-    if (count > most_shown) {
-        std::fprintf(stderr, "vybeg: %zu more: vybeg-cli analyze --verbose\n", count - most_shown);
-    }
+    Log(to_people).warnings(diagnostics);
 }
 
 namespace {
@@ -74,13 +71,8 @@ namespace {
 // Checks what can be checked before the first recording is opened, and warns of settings without
 // effect. Errors: setting_invalid.
 Status check_request(const std::string& option, const std::string& output,
-                     const std::vector<std::string>& inputs, const Settings& settings) {
-    std::vector<InputPath> paths;
-    paths.reserve(inputs.size());
-    for (const std::string& input : inputs) {
-        paths.push_back({input, "it is one of the recordings"});
-    }
-    TRY(check_outputs({{option, output, ""}}, paths));
+                     const std::vector<InputPath>& inputs, const Settings& settings) {
+    TRY(check_outputs({{option, output, ""}}, inputs));
     warn(without_effect(settings));
     return {};
 }
@@ -171,19 +163,13 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     return list;
 }
 
-std::vector<std::string> files_of(const GuiRequest& request,
-                                  const std::vector<MeasurementSet>& sets) {
-    std::vector<std::string> files;
+std::vector<InputPath> files_of(const GuiRequest& request,
+                                const std::vector<MeasurementSet>& sets) {
+    std::vector<InputPath> files{{request.list, "it is one of the recordings"}};
     for (const MeasurementSet& set : sets) {
         for (const RecordingRef& listed : set.recordings) {
-            files.push_back(listed.path.string());
-            for (const std::filesystem::path& further : further_files(listed.open)) {
-                files.push_back(further.string());
-            }
+            add_recording_files(files, listed.path, listed.open);
         }
-    }
-    if (!request.list.empty()) {
-        files.push_back(request.list);
     }
     return files;
 }
@@ -351,10 +337,11 @@ std::optional<ReportSubject> subject_of(const Document& document) {
     return wanted == subjects.end() ? std::nullopt : std::optional(*wanted);
 }
 
-std::vector<std::string> recording_files(const GuiRequest& request, const Document& document) {
-    std::vector<std::string> files = request.inputs;
+std::vector<InputPath> recording_files(const GuiRequest& request, const Document& document) {
+    std::vector<InputPath> files;
+    add_recording_files(files, request.inputs.front(), {});
     for (const RecordingEntry& entry : document.recordings()) {
-        files.push_back(entry.path.toStdString());
+        add_recording_files(files, entry.path.toStdString(), {});
     }
     return files;
 }
@@ -427,9 +414,9 @@ Result<int> report_status(const GuiRequest& request, std::stop_token stop) {
 }  // namespace
 
 Status draw_figure(const GuiRequest& request, std::stop_token stop) {
-    std::vector<std::string> files = request.inputs;
-    for (const std::filesystem::path& further : further_files(request.open)) {
-        files.push_back(further.string());
+    std::vector<InputPath> files;
+    for (const std::string& input : request.inputs) {
+        add_recording_files(files, input, request.open);
     }
     TRY(check_request("--figure", request.figure, files, request.settings));
     const JobControl job(stop);

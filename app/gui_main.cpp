@@ -82,7 +82,7 @@ void describe(CLI::App& app, GuiRequest& request) {
     app.set_version_flag("--version", "vybeg " VYBEG_VERSION);
     app.add_option("FILE", request.inputs, "Recordings, measurement lists or sessions to open")
         ->type_name("");
-    add_analysis_options(app, request.settings);
+    add_analysis_options(app, analysis_settings(), request.settings);
     add_setting(app, *row_named(identify_settings(), "tolerance"), request.identify);
     add_settings(app, open_settings(), request.open);
     add_text(app, "--figure", "FIGURE", request.figure,
@@ -109,6 +109,8 @@ int usage(std::string text) {
 
 constexpr const char* no_display =
     "There is no display to open a window on. Draw with --figure or --report, or use vybeg-cli.";
+constexpr const char* no_platform =
+    "Qt cannot start the platform that QT_QPA_PLATFORM names. Unset it.";
 
 bool platform_chosen() {
     return qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
@@ -131,24 +133,23 @@ void name_application() {
 // the program makes one sentence and a status.
 class PlatformSearch {
 public:
-    explicit PlatformSearch(bool window) {
-        qInstallMessageHandler(window ? no_window : no_platform);
+    // `sentence`: of the platform that does not work.
+    explicit PlatformSearch(const char* sentence) {
+        sentence_ = sentence;
+        qInstallMessageHandler(end_with_sentence);
     }
     PlatformSearch(const PlatformSearch&) = delete;
     PlatformSearch& operator=(const PlatformSearch&) = delete;
     ~PlatformSearch() { qInstallMessageHandler(nullptr); }
 
 private:
-    static void no_window(QtMsgType type, const QMessageLogContext&, const QString&) {
+    static void end_with_sentence(QtMsgType type, const QMessageLogContext&, const QString&) {
         if (type == QtFatalMsg) {
-            std::_Exit(usage(no_display));
+            std::_Exit(usage(sentence_));
         }
     }
-    static void no_platform(QtMsgType type, const QMessageLogContext&, const QString&) {
-        if (type == QtFatalMsg) {
-            std::_Exit(usage("Qt cannot start the platform that QT_QPA_PLATFORM names. Unset it."));
-        }
-    }
+
+    static inline const char* sentence_ = nullptr;
 };
 
 // Without a window, on any platform of Qt.
@@ -157,7 +158,7 @@ int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)
     if (!platform_chosen()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    std::optional<PlatformSearch> search(std::in_place, false);
+    std::optional<PlatformSearch> search(std::in_place, no_platform);
     QApplication application(argc, argv);
     search.reset();
     name_application();
@@ -185,7 +186,7 @@ int report_mode(int argc, char** argv, const GuiRequest& request) {
 }
 
 int window_mode(int argc, char** argv, const GuiRequest& request) {
-    std::optional<PlatformSearch> search(std::in_place, true);
+    std::optional<PlatformSearch> search(std::in_place, no_display);
     QApplication application(argc, argv);
     search.reset();
     name_application();

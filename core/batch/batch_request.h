@@ -37,9 +37,9 @@ struct FinishedRow {
     BatchRow fields;      // of the table
     bool kept = false;    // of an earlier batch
     // Of a row of this batch.
-    std::vector<NamedWarnings> warnings;
-    std::optional<Error> error;  // why the set has no result
-    IdentifyTiming timing;
+    std::vector<NamedWarnings> warnings{};
+    std::optional<Error> error{};  // why the set has no result
+    IdentifyTiming timing{};
     double write_s = 0;  // files and database
     std::int64_t windows = 0;
 };

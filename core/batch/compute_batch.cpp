@@ -226,12 +226,7 @@ private:
         for (std::size_t k = 0; k < tasks.size(); ++k) {
             if (is_kept(tasks[k])) {  // the row of an earlier batch
                 const std::string& row = journal_->row(tasks[k].key);
-                events_.finished({.set = k,
-                                  .fields = csv_fields(row),
-                                  .kept = true,
-                                  .warnings = {},
-                                  .error = {},
-                                  .timing = {}});
+                events_.finished({.set = k, .fields = csv_fields(row), .kept = true});
             }
         }
         return compute_rows(list, tasks, header, output);
@@ -402,7 +397,6 @@ private:
             }
             FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
                             .warnings = std::move(warnings),
-                            .error = {},
                             .timing = result->identification.timing,
                             .write_s = job.now() - identified};
             for (const IdentifiedRun& run : result->identification.runs) {
@@ -463,8 +457,7 @@ private:
             } else {
                 add_row(task, {.fields = batch_row(*task.set, error, verdict_of(task, nullptr)),
                                .warnings = warnings,
-                               .error = error,
-                               .timing = {}});
+                               .error = error});
             }
         }
 

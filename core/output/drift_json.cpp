@@ -94,38 +94,32 @@ std::string drift_json(const std::string& program, const DriftOutcome& outcome) 
     for (std::size_t k = 0; k < logs.size(); ++k) {
         inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
     }
-    Json warnings = Json::array();
-    for (const Finding& finding : findings_of(drift.warnings)) {
-        warnings.push_back(finding_json(finding));
-    }
     Json harmonics;
     for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {
         harmonics[term_key(k)] = quantity_json(degrees_per_hour(drift.harmonics[k]));
     }
-    Json agreement = Json::array();
-    for (const LogAgreement& each : drift.agreement) {
-        agreement.push_back({{"harmonic", each.harmonic},
-                             {"chi2", number_json(each.chi2)},
-                             {"dof", number_json(each.freedom)},
-                             {"deviations", number_json(each.deviations)},
-                             {"agrees", each.agrees}});
-    }
-    Json bins = Json::array();
-    for (const LogBin& bin : drift.bins) {
-        bins.push_back({{"theta_deg", number_json(bin.theta / degree)},
-                        {"rate_deg_h", number_json(degrees_per_hour(bin.rate))},
-                        {"sd_deg_h", number_json(degrees_per_hour(bin.sd))},
-                        {"seconds", number_json(bin.seconds)}});
-    }
+    const auto agreement = [](const LogAgreement& each) -> Json {
+        return {{"harmonic", each.harmonic},
+                {"chi2", number_json(each.chi2)},
+                {"dof", number_json(each.freedom)},
+                {"deviations", number_json(each.deviations)},
+                {"agrees", each.agrees}};
+    };
+    const auto bin = [](const LogBin& each) -> Json {
+        return {{"theta_deg", number_json(each.theta / degree)},
+                {"rate_deg_h", number_json(degrees_per_hour(each.rate))},
+                {"sd_deg_h", number_json(degrees_per_hour(each.sd))},
+                {"seconds", number_json(each.seconds)}};
+    };
     return json_text({{"program", program},
                       {"settings", named_json(settings_list(settings))},
-                      {"warnings", warnings},
+                      {"warnings", list_json(findings_of(drift.warnings), finding_json)},
                       {"harmonics", harmonics},
                       {"covariance_deg_h2", covariance_json(drift.covariance)},
-                      {"agreement", agreement},
+                      {"agreement", list_json(drift.agreement, agreement)},
                       {"resonator", held_json(drift.resonator)},
                       {"logs", inputs},
-                      {"bins", bins}});
+                      {"bins", list_json(drift.bins, bin)}});
 }
 
 std::string drift_csv(const std::string& program, const DriftOutcome& outcome) {

@@ -220,12 +220,11 @@ Json drift_json(const Identification& identification) {
     const DriftFunction& drift = identification.drift;
     constexpr std::array<const char*, 5> names{"mean_rad_s", "cos4_rad_s", "sin4_rad_s",
                                                "cos8_rad_s", "sin8_rad_s"};
-    Json points = Json::array();
-    for (const DriftPoint& point : drift.points) {
-        points.push_back({{"run", point.run},
-                          {"theta_rad", number_json(point.theta)},
-                          {"rate_rad_s", quantity_json({point.rate, point.sd_rate, {}})}});
-    }
+    const auto point = [](const DriftPoint& each) -> Json {
+        return {{"run", each.run},
+                {"theta_rad", number_json(each.theta)},
+                {"rate_rad_s", quantity_json({each.rate, each.sd_rate, {}})}};
+    };
     Reason none = no_drift_function(identification);
     if (none.code == ReasonCode::none) {
         none.code = ReasonCode::few_angles;  // for harmonics above the order of the curve
@@ -239,7 +238,7 @@ Json drift_json(const Identification& identification) {
     return {{"order", drift.order},
             {"harmonics", harmonics},
             {"chi2_per_dof", number_json(drift.chi2_per_freedom)},
-            {"points", points},
+            {"points", list_json(drift.points, point)},
             {"curve", drift.order > 0 ? curve_json(drift, identification.fit) : Json(nullptr)}};
 }
 
@@ -381,6 +380,38 @@ Passport passport_of(const SetResult& result) {
         passport.tracks.push_back(run.track);
     }
     return passport;
+}
+
+std::string recording_json(const Recording& recording, const std::string& sha256,
+                           std::span<const Diagnostic> findings) {
+    const auto channel = [](const Channel& each) -> Json {
+        return {{"name", each.name}, {"unit", each.unit}};
+    };
+    const auto check = [](const Diagnostic& each) -> Json {
+        return {{"kind", kind_name(each.kind)},
+                {"severity", severity_name(severity(each.kind))},
+                {"first_frame", each.first_frame},
+                {"count", each.count},
+                {"text", english(each)}};
+    };
+    // Of times it is a quotient, whose last digits are those of the machine: 33332.99999999999.
+    constexpr int digits_of_times = 12;
+    const double rate_hz = recording.rate_from == RateOrigin::time_column
+                               ? *parse_number(short_text(recording.rate_hz, digits_of_times))
+                               : recording.rate_hz;
+    Json info{{"format", english(recording.format)},
+              {"frames", recording.frames()},
+              {"seconds", recording.seconds()},
+              {"rate_hz", rate_hz},
+              {"rate_from", rate_origin_name(recording.rate_from)},
+              {"channels", list_json(recording.channels, channel)},
+              {"start", recording.start},
+              {"sha256", sha256},
+              {"check", list_json(findings, check)}};
+    if (recording.rate_relative_sd > 0) {
+        info["rate_relative_sd"] = recording.rate_relative_sd;
+    }
+    return json_text(info);
 }
 
 }  // namespace vybeg

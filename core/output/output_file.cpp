@@ -5,11 +5,11 @@
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/recording/samples/open_table.h"
+#include "core/recording/samples/text_fields.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
@@ -60,14 +60,6 @@ std::pair<std::filesystem::path, std::filesystem::path> link_to_nowhere(
 constexpr std::string_view prefix = ".vybeg-";
 constexpr std::string_view ending = ".part";
 
-std::optional<std::int64_t> number_of(std::string_view text) {
-    std::int64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    return parsed.ec == std::errc{} && parsed.ptr == end && number >= 0 ? std::optional(number)
-                                                                        : std::nullopt;
-}
-
 // Start of a process in clock ticks since the system's; empty without such a process or without
 // /proc. It is the 22nd field of `stat`, the 20th after the name in brackets.
 std::optional<std::int64_t> start_of(std::int64_t process) {
@@ -82,7 +74,8 @@ std::optional<std::int64_t> start_of(std::int64_t process) {
     if (at == std::string::npos) {
         return {};
     }
-    return number_of(std::string_view(text).substr(at + 1, text.find(' ', at + 1) - at - 1));
+    return whole_number<std::int64_t>(
+        std::string_view(text).substr(at + 1, text.find(' ', at + 1) - at - 1));
 }
 
 struct Owner {
@@ -98,19 +91,13 @@ std::optional<Owner> owner_of(std::string_view name) {
     name.remove_prefix(prefix.size());
     name.remove_suffix(ending.size());
     std::vector<std::int64_t> numbers;
-    for (std::size_t begin = 0; begin <= name.size();) {
-        const std::size_t end = std::min(name.find('-', begin), name.size());
-        const auto number = number_of(name.substr(begin, end - begin));
-        if (!number) {
-            return {};
-        }
-        numbers.push_back(*number);
-        begin = end + 1;
+    for (const std::string_view part : parts_between(name, '-')) {
+        numbers.push_back(whole_number<std::int64_t>(part).value_or(-1));
     }
-    if (numbers.size() == 2) {
-        return Owner{numbers[0], {}};
+    if (numbers.size() < 2 || numbers.size() > 3 || std::ranges::min(numbers) < 0) {
+        return {};
     }
-    return numbers.size() == 3 ? std::optional(Owner{numbers[0], numbers[1]}) : std::nullopt;
+    return Owner{numbers[0], numbers.size() == 3 ? std::optional(numbers[1]) : std::nullopt};
 }
 
 bool lives(const Owner& owner) {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -41,13 +43,10 @@ Json written(const Estimate& estimate) {
     return json;
 }
 
-// What is wrong with a passport, thrown by the following functions.
-struct Fault {
-    MessageArg reason;
-};
-struct LaterSchema {
-    int schema;
-};
+// What is wrong with a passport, thrown by the following functions without its place.
+Error fault(MessageArg reason) {
+    return {ErrorCode::passport_damaged, {}, {std::move(reason)}};
+}
 
 // A value of the file with its place, as "resonator.tau_s.value" or "runs[1].a_A".
 class Node {
@@ -64,7 +63,7 @@ public:
         const auto found = json_.find(key);
         const std::string place = place_.empty() ? key : place_ + '.' + key;
         if (found == json_.end()) {
-            throw Fault{words(VYBEG_MESSAGE("Words", "%1 is missing"), {place})};
+            throw fault(words(VYBEG_MESSAGE("Words", "%1 is missing"), {place}));
         }
         return {*found, place};
     }
@@ -78,6 +77,14 @@ public:
             nodes.emplace_back(element, place_ + '[' + std::to_string(nodes.size()) + ']');
         }
         return nodes;
+    }
+
+    // What `read` makes of each element.
+    template <class Read>
+    auto list(const Read& read) const {
+        std::vector<std::invoke_result_t<Read, const Node&>> all;
+        std::ranges::transform(elements(), std::back_inserter(all), read);
+        return all;
     }
 
     // Values by their names, all of them texts.
@@ -99,13 +106,7 @@ public:
         return json_.get<std::string>();
     }
 
-    std::vector<std::string> texts() const {
-        std::vector<std::string> all;
-        for (const Node& node : elements()) {
-            all.push_back(node.text());
-        }
-        return all;
-    }
+    std::vector<std::string> texts() const { return list(&Node::text); }
 
     int whole_number() const {
         if (!json_.is_number_integer()) {
@@ -133,18 +134,12 @@ public:
         return is_null() ? std::numeric_limits<double>::quiet_NaN() : number();
     }
 
-    std::vector<double> numbers() const {
-        std::vector<double> values;
-        for (const Node& node : elements()) {
-            values.push_back(node.number_or_nan());
-        }
-        return values;
-    }
+    std::vector<double> numbers() const { return list(&Node::number_or_nan); }
 
     // `expected`: what has to stand here.
     [[noreturn]] void wrong(const char* expected) const {
-        throw Fault{words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
-                          {place_, words(expected), found()})};
+        throw fault(words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
+                          {place_, words(expected), found()}));
     }
 
 private:
@@ -189,13 +184,16 @@ Estimate read_estimate(const Node& json) {
     return estimate;
 }
 
+// Reads the owner of these parameters.
 template <class Owner, class Parameters>
-Owner read_parameters(const Node& json, const Parameters& parameters) {
-    Owner owner;
-    for (const auto& parameter : parameters) {
-        owner.*parameter.member = read_estimate(json.at(parameter.name));
-    }
-    return owner;
+auto reader_of(const Parameters& parameters) {
+    return [&parameters](const Node& json) {
+        Owner owner;
+        for (const auto& parameter : parameters) {
+            owner.*parameter.member = read_estimate(json.at(parameter.name));
+        }
+        return owner;
+    };
 }
 
 RecordingRef read_input(const Node& json) {
@@ -246,20 +244,13 @@ Passport read_all(const Node& json) {
     if (json.has("conditions")) {
         passport.conditions = json.at("conditions").texts_by_name();
     }
-    for (const Node& input : json.at("inputs").elements()) {
-        passport.inputs.push_back(read_input(input));
-    }
+    passport.inputs = json.at("inputs").list(read_input);
     passport.settings = json.at("settings").texts_by_name();
     passport.model = read_model(json.at("model"));
-    passport.resonator =
-        read_parameters<ResonatorEstimate>(json.at("resonator"), resonator_parameters);
-    for (const Node& mode : json.at("modes").elements()) {
-        passport.modes.push_back(read_parameters<ModeEstimate>(mode, mode_parameters));
-    }
+    passport.resonator = reader_of<ResonatorEstimate>(resonator_parameters)(json.at("resonator"));
+    passport.modes = json.at("modes").list(reader_of<ModeEstimate>(mode_parameters));
     passport.mode_order = read_mode_order(json.at("modes_by"));
-    for (const Node& run : json.at("runs").elements()) {
-        passport.runs.push_back(read_parameters<RunEstimate>(run, run_parameters));
-    }
+    passport.runs = json.at("runs").list(reader_of<RunEstimate>(run_parameters));
     const Node parameters = json.at("parameters");
     passport.raw.names = parameters.at("names").texts();
     passport.raw.values = parameters.at("values").numbers();
@@ -273,21 +264,18 @@ Passport read_all(const Node& json) {
         parameters.at("covariance")
             .wrong(VYBEG_MESSAGE("Words", "a list of a number for each two names"));
     }
-    for (const Node& track : json.at("tracks").elements()) {
-        passport.tracks.push_back(read_track(track));
-    }
+    passport.tracks = json.at("tracks").list(read_track);
     return passport;
 }
 
 Json passport_object(const Passport& passport) {
-    Json tracks = Json::array();
-    for (const RunTrack& track : passport.tracks) {
+    const auto columns_of = [](const RunTrack& track) {
         Json columns;
         for (const TrackColumn& column : track_columns) {
             columns[column.name] = numbers_json(track.*column.member);
         }
-        tracks.push_back(columns);
-    }
+        return columns;
+    };
     return {{"vybeg", "passport"},
             {"schema", Passport::schema},
             {"program", passport.program},
@@ -305,7 +293,7 @@ Json passport_object(const Passport& passport) {
              {{"names", passport.raw.names},
               {"values", numbers_json(passport.raw.values)},
               {"covariance", numbers_json(passport.raw.covariance)}}},
-            {"tracks", tracks}};
+            {"tracks", list_json(passport.tracks, columns_of)}};
 }
 
 Passport read_any(const Node& whole) {
@@ -314,13 +302,15 @@ Passport read_any(const Node& whole) {
         schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
     }
     if (schema.whole_number() > Passport::schema) {
-        throw LaterSchema{schema.whole_number()};
+        throw Error{ErrorCode::passport_schema,
+                    {},
+                    {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
     }
     if (schema.whole_number() < Passport::schema) {
-        throw Fault{words(VYBEG_MESSAGE("Words",
+        throw fault(words(VYBEG_MESSAGE("Words",
                                         "its schema %1 is that of an early version, which is read "
                                         "no longer: identify its recordings again"),
-                          {count_arg(schema.whole_number())})};
+                          {count_arg(schema.whole_number())}));
     }
     return read_all(whole);
 }
@@ -329,23 +319,19 @@ Passport read_any(const Node& whole) {
 template <class Read>
 auto reading(std::string_view text, const std::string& where, const Read& read)
     -> Result<decltype(read(Json()))> {
-    const auto damaged = [&where](const MessageArg& reason) {
-        return Error{ErrorCode::passport_damaged, where, {reason}};
-    };
+    Error error;
     try {
         return read(Json::parse(text));
-    } catch (const Json::parse_error& error) {
-        return damaged(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
-                             {count_arg(static_cast<std::int64_t>(error.byte))}));
+    } catch (const Json::parse_error& parsed) {
+        error = fault(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
+                            {count_arg(static_cast<std::int64_t>(parsed.byte))}));
     } catch (const Json::exception&) {
-        return damaged(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
-    } catch (const LaterSchema& later) {
-        return Error{ErrorCode::passport_schema,
-                     where,
-                     {count_arg(later.schema), count_arg(Passport::schema)}};
-    } catch (const Fault& fault) {
-        return damaged(fault.reason);
+        error = fault(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
+    } catch (const Error& thrown) {
+        error = thrown;
     }
+    error.where = where;
+    return error;
 }
 
 // `input`: index of the recording that it concerns; -1: the fit.
@@ -397,9 +383,7 @@ SetResult read_saved(const Node& whole) {
     fit.no_modes =
         stored_reason(no_modes.at("kind").text(), no_modes.at("args").texts()).value_or(Reason{});
     fit.chi2_per_dof = whole.at("chi2_per_dof").number_or_nan();
-    for (const Node& run : whole.at("runs").elements()) {
-        result.identification.runs.push_back(read_run(run));
-    }
+    result.identification.runs = whole.at("runs").list(read_run);
     const std::size_t count = result.set.recordings.size();
     fit.runs.resize(count);
     result.identification.runs.resize(count);
@@ -418,7 +402,7 @@ std::string passport_json(const Passport& passport) {
 Result<Passport> read_passport(std::string_view text, const std::string& where) {
     return reading(text, where, [](const Json& json) {
         if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
-            throw Fault{words(VYBEG_MESSAGE("Words", "its JSON is not a passport's"))};
+            throw fault(words(VYBEG_MESSAGE("Words", "its JSON is not a passport's")));
         }
         return read_any(Node(json, ""));
     });

@@ -37,11 +37,7 @@ Json number_json(double value) {
 }
 
 Json numbers_json(std::span<const double> values) {
-    Json list = Json::array();
-    for (const double value : values) {
-        list.push_back(number_json(value));
-    }
-    return list;
+    return list_json(values, number_json);
 }
 
 Json named_json(std::span<const NamedValue> values) {
@@ -67,24 +63,14 @@ Json quantity_json(const Estimate& estimate) {
 }
 
 Json inputs_json(std::span<const RecordingRef> inputs) {
-    Json list = Json::array();
-    for (const RecordingRef& input : inputs) {
-        list.push_back({{"name", input.name()},
-                        {"sha256", input.sha256},
-                        {"start", input.start},
-                        {"seconds", input.seconds},
-                        {"rate_hz", input.rate_hz},
-                        {"f0_hz", input.f0_hz}});
-    }
-    return list;
+    return list_json(inputs, [](const RecordingRef& input) -> Json {
+        return {{"name", input.name()},     {"sha256", input.sha256},   {"start", input.start},
+                {"seconds", input.seconds}, {"rate_hz", input.rate_hz}, {"f0_hz", input.f0_hz}};
+    });
 }
 
 Json args_json(std::span<const MessageArg> args) {
-    Json list = Json::array();
-    for (const MessageArg& arg : args) {
-        list.push_back(english(arg));
-    }
-    return list;
+    return list_json(args, [](const MessageArg& arg) { return english(arg); });
 }
 
 Json finding_json(const Finding& finding) {

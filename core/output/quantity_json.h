@@ -18,6 +18,16 @@ using Json = nlohmann::ordered_json;
 
 // Numbers in JSON, where NaN does not exist.
 
+// What `json_of` makes of each value.
+template <class Values, class JsonOf>
+Json list_json(const Values& values, const JsonOf& json_of) {
+    Json list = Json::array();
+    for (const auto& value : values) {
+        list.push_back(Json(json_of(value)));
+    }
+    return list;
+}
+
 // The number, or null where it is not finite.
 Json number_json(double value);
 Json numbers_json(std::span<const double> values);
@@ -42,11 +52,8 @@ Json parameters_json(const Owner& owner, const Parameters& parameters,
 template <class Owner, class Parameters>
 Json parameters_json(const std::vector<Owner>& owners, const Parameters& parameters,
                      Json (*json_of)(const Estimate&) = quantity_json) {
-    Json list = Json::array();
-    for (const Owner& owner : owners) {
-        list.push_back(parameters_json(owner, parameters, json_of));
-    }
-    return list;
+    return list_json(
+        owners, [&](const Owner& owner) { return parameters_json(owner, parameters, json_of); });
 }
 
 // The recordings of a set: names and what they contain.

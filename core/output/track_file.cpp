@@ -84,14 +84,6 @@ Result<FlagCounts> count_flags(const TrackColumns& columns) {
 
 // What each combination looks like in a file.
 using FlagCells = std::map<Flags, std::string>;
-FlagCells make_cells(const FlagCounts& counts,
-                     const std::function<std::string(const std::string&)>& cell) {
-    FlagCells cells;
-    for (const auto& [flags, rows] : counts) {
-        cells[flags] = cell(flags_text(flags));
-    }
-    return cells;
-}
 
 // Passes the cells of all rows, many at a time. Errors: those of the sink and of TrackColumns.
 Status pass_cells(const TrackColumns& columns, const FlagCells& cells, const ByteSink& sink) {
@@ -109,24 +101,26 @@ Status pass_cells(const TrackColumns& columns, const FlagCells& cells, const Byt
 
 // An array of a file whose bytes can be passed as often as they are needed.
 struct TrackArray : Hdf5Array {
-    std::function<Status(const ByteSink&)> pass;
+    std::int64_t size = 0;  // bytes
+    std::function<Status(const ByteSink&)> pass{};
 };
 
-// The bytes of a text in a format that keeps texts of one width, with zeros behind the last
-// character.
+// The bytes of a text in a format.
 using TextBytes = std::string (*)(const std::string& text);
 
-// Every array of a file: a column each, the flags and the header's lines. `columns` must outlive
-// them.
+// Every array of a file: a column each, the flags and the header's lines. `one_width`: the format
+// keeps the texts of an array in one width, with zeros behind the last character. `columns` must
+// outlive them.
 Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
-                                          std::span<const std::string> header,
-                                          TextBytes text_bytes) {
+                                          std::span<const std::string> header, TextBytes text_bytes,
+                                          bool one_width = true) {
     const auto counts = TRY(count_flags(columns));
     const auto rows = static_cast<std::int64_t>(columns.rows());
     std::vector<TrackArray> arrays;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
         arrays.push_back(
             {{track_column_name(k), rows, 0, track_column_unit(k)},
+             rows * static_cast<std::int64_t>(sizeof(double)),
              [&columns, k](const ByteSink& sink) { return pass_numbers(columns, k, sink); }});
     }
     // No format has texts without any room.
@@ -135,24 +129,30 @@ Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
     for (const auto& [flags, rows_of] : counts) {
         width = std::max(width, text_bytes(flags_text(flags)).size());
     }
-    const auto padded = [text_bytes](const std::string& text, std::size_t bytes) {
+    const auto cell_of = [=](const std::string& text, std::size_t bytes) {
         std::string cell = text_bytes(text);
-        cell.resize(bytes);
+        cell.resize(one_width ? bytes : cell.size());
         return cell;
     };
-    const FlagCells cells =
-        make_cells(counts, [&](const std::string& text) { return padded(text, width); });
+    FlagCells cells;
+    std::size_t size = 0;
+    for (const auto& [flags, rows_of] : counts) {
+        cells[flags] = cell_of(flags_text(flags), width);
+        size += rows_of * cells[flags].size();
+    }
     arrays.push_back(
         {{flag_column_name, rows, static_cast<std::int64_t>(width)},
+         static_cast<std::int64_t>(size),
          [&columns, cells](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});
     for (const std::string& line : header) {
         longest = std::max(longest, text_bytes(line).size());
     }
     std::string lines;
     for (const std::string& line : header) {
-        lines += padded(line, longest);
+        lines += cell_of(line, longest);
     }
     arrays.push_back({{header_name, std::ssize(header), static_cast<std::int64_t>(longest)},
+                      std::ssize(lines),
                       [lines](const ByteSink& sink) { return sink(lines); }});
     return arrays;
 }
@@ -173,8 +173,7 @@ Status write_member(OutputFile& file, StoredZip& zip, const TrackArray& array) {
         crc = crc_of(crc, bytes);
         return {};
     }));
-    TRY(zip.begin(array.name + ".npy", head.size() + static_cast<std::uint64_t>(array.bytes()),
-                  crc));
+    TRY(zip.begin(array.name + ".npy", head.size() + static_cast<std::uint64_t>(array.size), crc));
     TRY(file.write(head));
     return array.pass(into(file));
 }
@@ -220,34 +219,21 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
 // format has room for; interrupted; those of TrackColumns.
 Status write_track_mat(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
-    const auto counts = TRY(count_flags(columns));
-    const FlagCells cells = make_cells(counts, mat_text_cell);
-    std::int64_t cell_bytes = 0;
-    for (const auto& [flags, rows] : counts) {
-        cell_bytes += static_cast<std::int64_t>(rows * cells.at(flags).size());
-    }
-    const auto rows = static_cast<std::int64_t>(columns.rows());
-    if (rows > most_mat_rows || cell_bytes > most_mat_bytes) {
+    const auto arrays = TRY(arrays_of(columns, header, mat_text_cell, /*one_width=*/false));
+    if (std::ranges::any_of(arrays, [](const auto& each) { return each.size > most_mat_bytes; })) {
         return file.failure(words(VYBEG_MESSAGE("Words",
                                                 "a MAT file has room for 4 GiB in each variable, "
                                                 "which %1 windows exceed; HDF5, NPZ and CSV have "
                                                 "room for any number"),
-                                  {count_arg(rows)}));
+                                  {count_arg(static_cast<std::int64_t>(columns.rows()))}));
     }
     TRY(file.write(mat_file_head()));
-    for (std::size_t k = 0; k < track_number_columns; ++k) {
-        TRY(file.write(mat_column_head(track_column_name(k), rows)));
-        TRY(pass_numbers(columns, k, into(file)));
+    for (const TrackArray& array : arrays) {
+        TRY(file.write(array.text_bytes == 0 ? mat_column_head(array.name, array.rows)
+                                             : mat_cells_head(array.name, array.rows, array.size)));
+        TRY(array.pass(into(file)));
     }
-    TRY(file.write(mat_cells_head(flag_column_name, rows, cell_bytes)));
-    TRY(pass_cells(columns, cells, into(file)));
-    std::string lines;
-    for (const std::string& line : header) {
-        lines += mat_text_cell(line);
-    }
-    const std::string head = mat_cells_head(header_name, static_cast<std::int64_t>(header.size()),
-                                            static_cast<std::int64_t>(lines.size()));
-    return file.write(head + lines);
+    return {};
 }
 
 // Writes a track as NPZ, not packed: a float64 array per column, the flags and the header's lines
@@ -287,7 +273,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
             continue;  // has no place
         }
         TRY(write_up_to(layout.places[k]));
-        at += arrays[k].bytes();
+        at += arrays[k].size;
         TRY(arrays[k].pass(into(file)));
     }
     return write_up_to(layout.size);

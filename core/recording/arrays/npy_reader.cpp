@@ -4,10 +4,10 @@
 #include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/text_fields.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string>
@@ -51,12 +51,9 @@ std::optional<std::string_view> unquoted(std::string_view token) {
 }
 
 // Python 2 appended an L.
-std::optional<std::int64_t> whole_number(std::string_view token) {
+std::optional<std::int64_t> length_in(std::string_view token) {
     token.remove_suffix(token.ends_with('L') ? 1 : 0);
-    std::int64_t number = 0;
-    const char* const end = token.data() + token.size();
-    const auto parsed = std::from_chars(token.data(), end, number);
-    return parsed.ec == std::errc{} && parsed.ptr == end ? std::optional(number) : std::nullopt;
+    return whole_number<std::int64_t>(token);
 }
 
 struct Header {
@@ -96,7 +93,7 @@ std::optional<Header> parse_header(std::string_view text) {
         } else if (*key == "shape" && take("(")) {
             header.shape.emplace();
             while (!take(")")) {
-                const auto number = whole_number(any());
+                const auto number = length_in(any());
                 if (!number || !(take(",") || at(")"))) {
                     return std::nullopt;
                 }

@@ -269,11 +269,6 @@ constexpr std::string_view index_tag = "TDSh";
 constexpr std::int64_t held_bytes = std::int64_t{32} << 20;
 constexpr std::int64_t held_bytes_of_run = 3 * sizeof(StridedRange);
 
-struct FoundChannel {
-    std::size_t object = 0;
-    TdmsRawIndex index;  // the first of its object
-};
-
 // A channel to be read: the chosen numbers and their scaling.
 struct ChosenChannel {
     std::size_t object = 0;
@@ -309,12 +304,13 @@ public:
     TdmsReader(std::shared_ptr<const FileBytes> file, const JobControl& job)
         : file_(std::move(file)), job_(job) {}
 
-    const std::vector<FoundChannel>& channels() const { return channels_; }
+    // The first raw index of each.
+    const std::vector<TdmsRawIndex>& channels() const { return channels_; }
     bool open_ended() const { return open_ended_; }
-    const FoundChannel& channel(int number) const {
+    const TdmsRawIndex& channel(int number) const {
         return channels_[static_cast<std::size_t>(number - 1)];
     }
-    const TdmsObject& object(const FoundChannel& found) const { return objects_[found.object]; }
+    const TdmsObject& object(const TdmsRawIndex& found) const { return objects_[found.object]; }
 
     // A first pass through the file, which all else needs.
     Status find_channels() {
@@ -340,26 +336,26 @@ public:
         for (const std::size_t object : order) {
             const Channel named = name_and_unit(objects_[object].channel);
             if (has_numbers(*first[object]) && !is_time_name(named.name)) {
-                channels_.push_back({object, std::move(*first[object])});
+                channels_.push_back(std::move(*first[object]));
             } else if (has_numbers(*first[object]) && !time_) {
-                time_ = FoundChannel{object, std::move(*first[object])};
+                time_ = std::move(first[object]);
             }
         }
         return {};
     }
 
-    Result<ChosenChannel> choose(const FoundChannel& found) const {
+    Result<ChosenChannel> choose(const TdmsRawIndex& found) const {
         const TdmsObject& channel = object(found);
         auto scaling = TRY(tdms_scaling(*file_, with_owners(channel)));
         ChosenChannel chosen{found.object, NumberType::f64, std::move(scaling)};
-        const auto& scalers = found.index.scalers;
+        const auto& scalers = found.scalers;
         const auto undescribed = [&] {
             return file_->unsupported(
                 "TDMS", VYBEG_MESSAGE("Words", "a scale that it does not describe (channel %1)"),
                 {channel.channel});
         };
-        if (!found.index.is_daqmx) {
-            chosen.type = *tdms_number(found.index.type);
+        if (!found.is_daqmx) {
+            chosen.type = *tdms_number(found.type);
             return chosen.scaling.scaler ? Result<ChosenChannel>(undescribed()) : chosen;
         }
         if (!chosen.scaling.scaler && scalers.size() == 1) {
@@ -454,19 +450,19 @@ private:
     std::shared_ptr<const FileBytes> file_;
     const JobControl& job_;
     std::vector<TdmsObject> objects_;
-    std::vector<FoundChannel> channels_;
-    std::optional<FoundChannel> time_;  // named so, and no channel
+    std::vector<TdmsRawIndex> channels_;
+    std::optional<TdmsRawIndex> time_;  // named so, and no channel
     bool open_ended_ = false;
 };
 
 // Names, with their group in files with several groups of channels.
 std::vector<Channel> describe(const TdmsReader& reader) {
     const std::string& first = reader.object(reader.channel(1)).group;
-    const bool one_group = std::ranges::all_of(reader.channels(), [&](const FoundChannel& found) {
+    const bool one_group = std::ranges::all_of(reader.channels(), [&](const TdmsRawIndex& found) {
         return reader.object(found).group == first;
     });
     std::vector<Channel> channels;
-    for (const FoundChannel& found : reader.channels()) {
+    for (const TdmsRawIndex& found : reader.channels()) {
         const TdmsObject& object = reader.object(found);
         channels.push_back({one_group ? object.channel : object.group + "/" + object.channel,
                             object.text("unit_string")});

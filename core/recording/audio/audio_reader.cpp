@@ -32,21 +32,33 @@ struct Chunk {
     const char* payload;  // its first payload_head bytes, zeros after the end of the file
 };
 
-// Whether the chunks in a LIST chunk lie inside it.
-Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+// Passes name, size and payload's place of each chunk of a WAV file between `at` and `end` to
+// `visit`, until that returns false; returns where the next one would begin.
+template <class Visit>
+Result<std::int64_t> walk_chunks(const FileBytes& file, std::int64_t at, std::int64_t end,
+                                 bool big_endian, Visit visit) {
     constexpr std::int64_t head_bytes = 8;
-    std::int64_t at = list.payload_at + 4;  // after the list's type
-    const std::int64_t end = list.payload_at + list.size;
-    if (end > file.size()) {
-        return false;
-    }
     for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
         std::array<char, head_bytes> head{};
         TRY(file.read(at, head));
         const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
+        if (!visit(std::string_view(head.data(), 4), size, at + head_bytes)) {
+            break;
+        }
         at += head_bytes + size + size % 2;
     }
-    return at <= end + 1;  // the last one need not be padded
+    return at;
+}
+
+// Whether the chunks in a LIST chunk lie inside it.
+Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+    const std::int64_t end = list.payload_at + list.size;
+    if (end > file.size()) {
+        return false;
+    }
+    const auto behind = TRY(walk_chunks(file, list.payload_at + 4, end, big_endian,
+                                        [](auto, auto, auto) { return true; }));
+    return behind <= end + 1;  // the last one need not be padded
 }
 
 // Whether the decoder gets a chunk of a WAV or RF64 file: samples, their description, date.
@@ -79,46 +91,39 @@ Result<std::string> broadcast_start(const FileBytes& file, const Chunk& chunk) {
 
 // The date (ICRD) of a sound list of informations. Errors: file_read_failed.
 Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool big_endian) {
-    constexpr std::int64_t head_bytes = 8;
-    constexpr std::size_t most_text = 2046;
+    constexpr std::int64_t most_text = 2046;
     if (std::string_view(list.payload, 4) != "INFO") {
         return std::string();
     }
-    const std::int64_t end = list.payload_at + list.size;
-    std::int64_t at = list.payload_at + 4;
-    for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
-        std::array<char, head_bytes + most_text> chunk{};
-        TRY(file.read(at, chunk));
-        const std::int64_t size = load<std::uint32_t>(chunk.data() + 4, big_endian);
-        if (std::string_view(chunk.data(), 4) == "ICRD") {
-            return size > static_cast<std::int64_t>(most_text)
-                       ? std::string()
-                       : text_of({chunk.data() + head_bytes, static_cast<std::size_t>(size)});
-        }
-        at += head_bytes + size + size % 2;
-    }
-    return std::string();
+    std::int64_t size = 0;  // of the date
+    std::int64_t at = 0;
+    TRY(walk_chunks(file, list.payload_at + 4, list.payload_at + list.size, big_endian,
+                    [&](std::string_view name, std::int64_t bytes, std::int64_t payload_at) {
+                        const bool is_date = name == "ICRD";
+                        size = is_date ? bytes : 0;
+                        at = payload_at;
+                        return !is_date;
+                    }));
+    const auto text = TRY(file.text(at, size > most_text ? 0 : size));
+    return text_of(text);
 }
 
 // Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete; this is
 // the case after a data chunk that is really empty.
 Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
-    constexpr std::int64_t head_bytes = 8;
-    for (int i = 0; i < most_chunks && file.size() - at >= head_bytes; ++i) {
-        std::array<char, head_bytes> head{};
-        TRY(file.read(at, head));
-        if (!std::all_of(head.begin(), head.begin() + 4,
-                         [](char c) { return c >= ' ' && c <= '~'; })) {
-            return false;
-        }
-        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
-        at += head_bytes + size + size % 2;
-    }
-    return at == file.size() || at == file.size() + 1;
+    bool named = true;
+    const auto behind =
+        TRY(walk_chunks(file, at, file.size(), big_endian, [&](std::string_view name, auto, auto) {
+            named = std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~'; });
+            return named;
+        }));
+    return named && (behind == file.size() || behind == file.size() + 1);
 }
 
-// Layout of the chunk heads of a container.
+// Layout of the chunk heads of a container, in the order of Container; of WAV and RF64 that of
+// little endian ones.
 struct Layout {
+    const char* name;
     std::int64_t first_chunk;
     std::int64_t id_bytes;
     std::int64_t size_bytes;
@@ -126,20 +131,14 @@ struct Layout {
     bool big_endian;
     bool size_counts_head;
 };
+constexpr std::array<Layout, 5> layouts{{{"WAV", 12, 4, 4, 2, false, false},
+                                         {"RF64", 12, 4, 4, 2, false, false},
+                                         {"W64", 40, 16, 8, 8, false, true},
+                                         {"AIFF", 12, 4, 4, 2, true, false},
+                                         {"CAF", 8, 4, 8, 1, true, false}}};
 
-// In the order of Container; of WAV and RF64 little endian ones.
-struct ContainerKind {
-    const char* name;
-    Layout layout;
-};
-constexpr std::array<ContainerKind, 5> container_kinds{{{"WAV", {12, 4, 4, 2, false, false}},
-                                                        {"RF64", {12, 4, 4, 2, false, false}},
-                                                        {"W64", {40, 16, 8, 8, false, true}},
-                                                        {"AIFF", {12, 4, 4, 2, true, false}},
-                                                        {"CAF", {8, 4, 8, 1, true, false}}}};
-
-const ContainerKind& kind_of(Container container) {
-    return container_kinds.at(static_cast<std::size_t>(container));
+const Layout& layout_of(Container container) {
+    return layouts.at(static_cast<std::size_t>(container));
 }
 
 // An 80-bit number of AIFF, whose first bit is the whole number 1.
@@ -356,7 +355,7 @@ std::string audio_container(std::string_view head) {
     if (!container) {
         return head.starts_with("fLaC") ? "FLAC" : head.starts_with(".snd") ? "AU" : "";
     }
-    return kind_of(*container).name;
+    return layout_of(*container).name;
 }
 
 std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
@@ -381,7 +380,7 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
         return AudioExtent{};
     }
     const bool is_riff = *container == Container::wav || *container == Container::rf64;
-    Layout layout = kind_of(*container).layout;
+    Layout layout = layout_of(*container);
     layout.big_endian = layout.big_endian || (is_riff && head[3] == 'X');
     const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
     ExtentReader reader(*container, layout.big_endian, file.size());
@@ -473,9 +472,8 @@ Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t pro
 Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
-    const LibraryFormat format{"audio", container, true};
-    auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
-    const Catalogue catalogue = process->catalogue();
+    const auto library = TRY(open_library(file, "audio", container, /*seeks=*/true));
+    const Catalogue& catalogue = library.catalogue;
     if (catalogue.variables.size() != 1) {
         return file->damaged(container, VYBEG_MESSAGE("Words", "its library returned nonsense"));
     }
@@ -488,8 +486,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     }
     // Checked before frames are counted.
     TRY(choose_rate(*file, own, options));
-    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    const auto frames = TRY(count_frames(*reader, samples.frames, job));
+    const auto frames = TRY(count_frames(*library.reader, samples.frames, job));
     FoundSamples found;
     found.format = {FormatPart::name(catalogue.format), FormatPart::words(samples.type),
                     FormatPart::channels(channels)};
@@ -503,7 +500,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
     auto source =
-        TRY(reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+        TRY(library.reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
     found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }

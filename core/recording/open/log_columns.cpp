@@ -92,32 +92,31 @@ void keep_rows(LogTable& table, Keep keep) {
     cut(table.time_s);
 }
 
-// Place of a column of a text, from 0; -1: it is not there. `order`: that of a text without names.
-int place_of(const TextFormat& format, const ColumnWish& wish, std::size_t order) {
+// Place of a column, from 0; -1: it is not there. `order`: that of a table without names.
+int place_of(const std::vector<Channel>& headings, const ColumnWish& wish, std::size_t order) {
     if (const auto number = parse_number(wish.column);
-        number && *number >= 1 && *number <= format.columns) {
+        number && *number >= 1 && *number <= static_cast<double>(headings.size())) {
         return static_cast<int>(*number) - 1;
     }
-    for (std::size_t k = 0; k < format.headings.size(); ++k) {
-        if (is_called(format.headings[k].name, wish) ||
-            is_called(name_and_unit(format.headings[k].name).name, wish)) {
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        if (is_called(headings[k].name, wish) ||
+            is_called(name_and_unit(headings[k].name).name, wish)) {
             return static_cast<int>(k);
         }
     }
     const bool nameless =
-        std::ranges::all_of(format.headings, [](const Channel& each) { return each.name.empty(); });
-    return nameless && wish.column.empty() && order < static_cast<std::size_t>(format.columns)
-               ? static_cast<int>(order)
-               : -1;
+        std::ranges::all_of(headings, [](const Channel& each) { return each.name.empty(); });
+    return nameless && wish.column.empty() && order < headings.size() ? static_cast<int>(order)
+                                                                      : -1;
 }
 
-// Order of a wish among the columns of a text without names: of those that are named, or of all.
+// Order of a wish among the columns of a table without names: of those that are named, or of all.
 std::size_t order_of(std::span<const ColumnWish> wishes, std::size_t wish,
-                     const TextFormat& format) {
+                     const std::vector<Channel>& headings) {
     if (wishes.front().told && !wishes[wish].told) {
         return std::numeric_limits<std::size_t>::max();
     }
-    const std::size_t before = format.columns == 1 && is_time(wishes.front()) ? 1 : 0;
+    const std::size_t before = headings.size() == 1 && is_time(wishes.front()) ? 1 : 0;
     return wish - before;
 }
 
@@ -133,7 +132,7 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
         return format;
     }
     const auto at = static_cast<std::size_t>(time - wishes.begin());
-    const int place = place_of(format, *time, order_of(wishes, at, format));
+    const int place = place_of(format.headings, *time, order_of(wishes, at, format.headings));
     if (place < 0) {
         return !time->told ? Result<TextFormat>(format)
                            : missing_column(*file, *time, format.headings);
@@ -214,7 +213,7 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (is_time(wishes[k])) {
             continue;
         }
-        places[k] = place_of(format, wishes[k], order_of(wishes, k, format));
+        places[k] = place_of(format.headings, wishes[k], order_of(wishes, k, format.headings));
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
         } else if (wishes[k].role.needed || wishes[k].told) {
@@ -298,60 +297,45 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
 // Place of a wished column; of a table without names only by its number or its order.
 int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
              std::size_t wish) {
-    TextFormat format;
-    format.columns = static_cast<int>(headings.size());
-    format.headings = headings;
-    const std::size_t order = wishes.front().told ? order_of(wishes, wish, format)
+    const std::size_t order = wishes.front().told ? order_of(wishes, wish, headings)
                                                   : std::numeric_limits<std::size_t>::max();
-    return place_of(format, wishes[wish], order);
+    return place_of(headings, wishes[wish], order);
 }
 
 // A table of numbers that is neither lines nor variables.
 struct ArrayTable {
     std::vector<Channel> headings;  // of its columns
-    std::function<Result<std::vector<double>>(std::size_t column)> read;
+    std::vector<std::function<Result<std::vector<double>>()>> read;
+
+    void add(const std::vector<NamedColumn>& columns) {
+        for (const auto& [heading, column] : columns) {
+            headings.push_back(heading);
+            read.emplace_back([column = column]() -> Result<std::vector<double>> {
+                std::vector<double> values(static_cast<std::size_t>(column.frames()));
+                TRY(read_column(column, 0, values));
+                return values;
+            });
+        }
+    }
 };
-
-ArrayTable table_of(std::vector<NamedColumn> columns) {
-    ArrayTable table;
-    for (const NamedColumn& each : columns) {
-        table.headings.push_back(each.heading);
-    }
-    table.read = [columns = std::move(columns)](std::size_t place) -> Result<std::vector<double>> {
-        const SampleColumn& column = columns[place].column;
-        std::vector<double> values(static_cast<std::size_t>(column.frames()));
-        TRY(read_column(column, 0, values));
-        return values;
-    };
-    return table;
-}
-
-ArrayTable table_of(std::vector<LaboneField> fields) {
-    ArrayTable table;
-    for (const LaboneField& each : fields) {
-        table.headings.push_back({each.name, ""});
-    }
-    table.read = [fields = std::move(fields)](std::size_t place) {
-        return Result(fields[place].values);
-    };
-    return table;
-}
 
 // The table of a file that holds one; without columns: it holds none.
 Result<ArrayTable> find_array(const File& file, std::string_view head, const JobControl& job) {
+    ArrayTable table;
     if (is_npy(head)) {
-        auto columns = TRY(npy_columns(file));
-        return table_of(std::move(columns));
-    }
-    if (is_mat5(head)) {
-        auto columns = TRY(moku_columns(file, job));
-        return table_of(std::move(columns));
-    }
-    if (is_labone_rows(head)) {
+        const auto columns = TRY(npy_columns(file));
+        table.add(columns);
+    } else if (is_mat5(head)) {
+        const auto columns = TRY(moku_columns(file, job));
+        table.add(columns);
+    } else if (is_labone_rows(head)) {
         auto fields = TRY(read_labone_rows(file, job));
-        return table_of(std::move(fields));
+        for (LaboneField& each : fields) {
+            table.headings.push_back({each.name, ""});
+            table.read.emplace_back([values = std::move(each.values)] { return Result(values); });
+        }
     }
-    return ArrayTable();
+    return table;
 }
 
 Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
@@ -368,7 +352,7 @@ Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
             continue;
         }
         const Channel& heading = array.headings[static_cast<std::size_t>(place)];
-        auto values = TRY(array.read(static_cast<std::size_t>(place)));
+        auto values = TRY(array.read[static_cast<std::size_t>(place)]());
         rows = std::min(rows, values.size());
         if (is_time(wishes[k])) {
             time = &heading;
@@ -424,14 +408,15 @@ Result<File> unpacked(File file) {
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles) {
     std::vector<ColumnWish> wishes;
-    for (std::size_t at = 0; !text.empty() && at <= text.size();) {
-        const std::size_t end = std::min(text.find(',', at), text.size());
-        const std::string entry = text.substr(at, end - at);
+    const auto is_wished = [&wishes](std::string_view name) {
+        return std::ranges::any_of(
+            wishes, [name](const ColumnWish& wish) { return wish.role.name == name; });
+    };
+    const auto entries = text.empty() ? std::vector<std::string_view>() : parts_between(text, ',');
+    for (const std::string_view entry : entries) {
         const std::size_t sign = std::min(entry.find('='), entry.size());
-        const std::string column =
-            sign < entry.size() ? std::string(trimmed(std::string_view(entry).substr(sign + 1)))
-                                : std::string();
-        const std::string name = entry.substr(0, sign);
+        const std::string column(trimmed(entry.substr(std::min(sign + 1, entry.size()))));
+        const std::string_view name = entry.substr(0, sign);
         const auto role = std::ranges::find_if(roles, [&name](const ColumnRole& each) {
             return same_name_as(name, each.name) || is_usual_name(name, each);
         });
@@ -443,26 +428,21 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                     "=COLUMN where the file calls it otherwise"),
                       {joined(roles, ", ", &ColumnRole::name)}));
         }
-        if (std::ranges::any_of(wishes, [&role](const ColumnWish& wish) {
-                return wish.role.name == std::string_view(role->name);
-            })) {
+        if (is_wished(role->name)) {
             return refused_value("--columns", text,
                                  words(VYBEG_MESSAGE("Words", "%1 is named twice"), {role->name}));
         }
         wishes.push_back({*role, column, true});
-        at = end + 1;
     }
     for (const ColumnRole& role : roles) {
-        const bool told = std::ranges::any_of(wishes, [&](const ColumnWish& wish) {
-            return wish.role.name == std::string_view(role.name);
-        });
-        if (!told && role.needed && !text.empty()) {
+        if (is_wished(role.name)) {
+            continue;
+        }
+        if (role.needed && !text.empty()) {
             return refused_value("--columns", text,
                                  words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name}));
         }
-        if (!told) {
-            wishes.push_back({role, ""});
-        }
+        wishes.push_back({role, ""});
     }
     return wishes;
 }

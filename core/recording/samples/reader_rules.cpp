@@ -5,7 +5,6 @@
 #include "core/recording/samples/vocabulary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <string_view>
@@ -331,19 +330,8 @@ std::string next_number(std::string name, std::size_t end) {
 
 // Names that may be the partner's, the likeliest first.
 std::vector<std::string> names_like(const std::string& name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 12> letters{
-        {{"C", "D"},
-         {"c", "d"},
-         {"X", "Y"},
-         {"x", "y"},
-         {"A", "B"},
-         {"a", "b"},
-         {"cos", "sin"},
-         {"Cos", "Sin"},
-         {"COS", "SIN"},
-         {"I", "Q"},
-         {"left", "right"},
-         {"L", "R"}}};
+    const auto letters =
+        parts_between("C D c d X Y x y A B a b cos sin Cos Sin COS SIN I Q left right L R", ' ');
     std::vector<std::string> names;
     // LabOne counts its files behind the number of the demodulator.
     constexpr std::string_view demodulator = "demods_";
@@ -354,10 +342,11 @@ std::vector<std::string> names_like(const std::string& name) {
         }
         names.push_back(next_number(name, end));
     }
-    for (const auto& [from, to] : letters) {
-        const std::size_t at = name.rfind(from);
-        if (at != std::string::npos && stands_alone(name, at, from.size())) {
-            names.push_back(std::string(name).replace(at, from.size(), to));
+    for (std::size_t k = 0; k < letters.size(); k += 2) {
+        const std::string_view letter = letters[k];
+        const std::size_t at = name.rfind(letter);
+        if (at != std::string::npos && stands_alone(name, at, letter.size())) {
+            names.push_back(std::string(name).replace(at, letter.size(), letters[k + 1]));
         }
     }
     for (std::size_t end = name.size(); end > 0; --end) {

@@ -134,16 +134,11 @@ private:
     const ColumnStart& at(int column) const { return starts_[static_cast<std::size_t>(column)]; }
     const Channel& name(int column) const { return format_.heading(column); }
 
-    bool is_left_out(int column) const {
-        return column == format_.time_column || column == format_.counter_column ||
-               std::ranges::find(format_.no_channels, column) != format_.no_channels.end();
-    }
-
     // Leaves columns out of the channels as long as there are two others.
     template <class Predicate>
     void leave_out(Predicate predicate) {
         for (int i = 0; i < format_.columns; ++i) {
-            if (!is_left_out(i) && channel_columns(format_).size() > 2 && predicate(i)) {
+            if (is_channel(format_, i) && channel_columns(format_).size() > 2 && predicate(i)) {
                 format_.no_channels.push_back(i);
             }
         }
@@ -269,7 +264,7 @@ private:
         bool differ = false;
         int own = format_.time_column;
         for (int i = format_.time_column + 1; i < format_.columns; ++i) {
-            if (is_left_out(i) && is_time_again(i)) {
+            if (!is_channel(format_, i) && is_time_again(i)) {
                 own = same_times(format_.time_column, i) ? format_.time_column : i;
                 differ = differ || own != format_.time_column;
             }
@@ -288,11 +283,15 @@ private:
 
 }  // namespace
 
+bool is_channel(const TextFormat& format, int column) {
+    return column != format.time_column && column != format.counter_column &&
+           std::ranges::find(format.no_channels, column) == format.no_channels.end();
+}
+
 std::vector<int> channel_columns(const TextFormat& format) {
     std::vector<int> columns;
     for (int column = 0; column < format.columns; ++column) {
-        if (column != format.time_column && column != format.counter_column &&
-            std::ranges::find(format.no_channels, column) == format.no_channels.end()) {
+        if (is_channel(format, column)) {
             columns.push_back(column);
         }
     }

@@ -38,7 +38,8 @@ struct TextFormat {
     friend bool operator==(const TextFormat&, const TextFormat&) = default;
 };
 
-// The columns that are channels, from 0: all but the time, the counter and no_channels.
+// Whether a column is one, from 0: all are but the time, the counter and no_channels.
+bool is_channel(const TextFormat& format, int column);
 std::vector<int> channel_columns(const TextFormat& format);
 
 // What the first column of a table is by its numbers; the rows that it counts, and the time that

@@ -155,8 +155,9 @@ private:
     }
 };
 
-// The rows of the length that most lines have, among those of two or more columns.
-Rows rows_of_numbers(std::span<const std::string> lines, const Dialect& dialect) {
+// The rows of the length that most lines have, among those of two or more columns; and those of
+// one.
+std::pair<Rows, Rows> rows_of_numbers(std::span<const std::string> lines, const Dialect& dialect) {
     std::map<int, int> rows;
     std::vector<std::string_view> fields;
     for (const std::string& line : lines) {
@@ -168,7 +169,7 @@ Rows rows_of_numbers(std::span<const std::string> lines, const Dialect& dialect)
             best = {dialect, columns, {}, count};
         }
     }
-    return best;
+    return {best, {dialect, 1, {}, rows[1]}};
 }
 
 // Replaces `best` where words beside the numbers make a better table: the rows that have most
@@ -220,55 +221,41 @@ std::size_t first_row(std::span<const std::string> lines, const Rows& table) {
     return row;
 }
 
-RowExtent extent_of(std::span<const std::string> rows, const Rows& table) {
+// Measures the rows of a table.
+void measure(std::span<const std::string> rows, const Rows& table, LinesAbove& above) {
     const auto columns = static_cast<std::size_t>(table.columns);
     std::vector<std::string_view> fields;
-    RowExtent extent{columns, 0, 0};
+    above.longest = columns;
     for (const std::string& row : rows) {
         if (!table.contain(row, fields)) {
             continue;
         }
-        extent.longest = std::max(extent.longest, fields.size());
-        for (std::size_t i = extent.named; i < fields.size(); ++i) {
+        above.longest = std::max(above.longest, fields.size());
+        for (std::size_t i = above.named; i < fields.size(); ++i) {
             if (!fields[i].empty()) {
-                extent.used = std::max(extent.used, i + 1);
-                extent.named = i >= columns || table.holds_words(i) ? extent.named : i + 1;
+                above.used = std::max(above.used, i + 1);
+                above.named = i >= columns || table.holds_words(i) ? above.named : i + 1;
             }
         }
     }
-    return extent;
-}
-
-// A table of one column: most lines are a number each.
-std::optional<Rows> single_numbers(std::span<const std::string> lines, const auto& is_allowed) {
-    constexpr std::ptrdiff_t least_rows = 5;
-    std::optional<Rows> table;
-    std::ptrdiff_t most = std::max(least_rows, std::ssize(lines) / 2) - 1;
-    std::vector<std::string_view> fields;
-    for (const Dialect& dialect : dialects) {
-        const auto rows = std::ranges::count_if(lines, [&](const std::string& line) {
-            return is_allowed(dialect) && columns_of(line, dialect, fields) == 1;
-        });
-        if (rows > most) {
-            most = rows;
-            table = Rows{dialect, 1};
-        }
-    }
-    return table;
 }
 
 // The table that most lines are rows of. Words count only where numbers alone explain few of them.
 std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoice& choice) {
     constexpr int much_more = 3;
+    constexpr int least_single_rows = 5;
     const auto is_allowed = [&](const Dialect& dialect) {
         return choice.delimiter.value_or(dialect.delimiter) == dialect.delimiter &&
                choice.decimal_comma.value_or(dialect.decimal_comma) == dialect.decimal_comma;
     };
     Rows numbers_alone;
+    Rows single;  // one number each, in most lines
+    single.count = std::max(least_single_rows, static_cast<int>(lines.size() / 2)) - 1;
     for (const Dialect& dialect : dialects) {
-        Rows found = is_allowed(dialect) ? rows_of_numbers(lines, dialect) : Rows{};
-        if (found.count > numbers_alone.count) {
-            numbers_alone = std::move(found);
+        if (is_allowed(dialect)) {
+            auto [several, one] = rows_of_numbers(lines, dialect);
+            numbers_alone = several.count > numbers_alone.count ? several : numbers_alone;
+            single = one.count > single.count ? one : single;
         }
     }
     const auto filled = static_cast<int>(std::ranges::count_if(
@@ -281,12 +268,10 @@ std::optional<Rows> find_rows(std::span<const std::string> lines, const TextChoi
             take_rows_with_words(lines, dialect, with_words);
         }
     }
-    const Rows& table = with_words.columns > 0 ? with_words : numbers_alone;
-    if (table.columns == 0) {
-        // A separator that was said is one between columns.
-        return choice.delimiter ? std::nullopt : single_numbers(lines, is_allowed);
-    }
-    return table;
+    // A separator that was said is one between columns.
+    const Rows& alone = numbers_alone.columns > 0 || choice.delimiter ? numbers_alone : single;
+    const Rows& table = with_words.columns > 0 ? with_words : alone;
+    return table.columns > 0 ? std::optional(table) : std::nullopt;
 }
 
 // The first row of a table of numbers, of which some rows may hold words as well.
@@ -335,17 +320,14 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     skipped = choice.lines_to_skip ? said : skipped;
     format.lines_to_skip = static_cast<std::int64_t>(skipped);
     // Numbers that are skipped name no columns.
-    const auto above = lines.first(skipped);
-    for (const std::string& line : above) {
-        const std::vector<std::string> named = header_fields(line, format.delimiter);
-        if (!named.empty() && columns_of(line, table->dialect, fields) == 0) {
+    LinesAbove above{lines.first(skipped)};
+    for (std::size_t i = 0; i < skipped; ++i) {
+        if (columns_of(lines[i], table->dialect, fields) > 0) {
+            above.names_from = i + 1;
+        } else if (const auto named = header_fields(lines[i], format.delimiter); !named.empty()) {
             format.above.push_back(named.front());
         }
     }
-    const auto numbers = std::find_if(above.rbegin(), above.rend(), [&](const std::string& line) {
-        return columns_of(line, table->dialect, fields) > 0;
-    });
-    const auto names_from = above.size() - static_cast<std::size_t>(numbers - above.rbegin());
     auto rows = lines.subspan(skipped);
     if (table->holds_words(0)) {
         format.no_channels.push_back(0);
@@ -354,20 +336,22 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
         rows = rows.first(rows.size() - 1);
     }
     format.no_channels.clear();
-    const RowExtent extent = extent_of(rows, *table);
+    measure(rows, *table, above);
     const FirstColumn first = first_column(rows, format.delimiter, format.decimal_comma);
-    const bool first_unnamed = table->holds_words(0) || first != FirstColumn::other;
-    read_header({above, names_from, extent, first_unnamed, first == FirstColumn::time}, format);
+    above.first_unnamed = table->holds_words(0) || first != FirstColumn::other;
+    above.first_is_time = first == FirstColumn::time;
+    read_header(above, format);
     Channel& heading = format.headings[0];
-    if (first_unnamed && heading.name.empty() && heading.unit.empty()) {
-        heading.unit = axis_unit(above, format.delimiter);
+    if (above.first_unnamed && heading.name.empty() && heading.unit.empty()) {
+        heading.unit = axis_unit(above.lines, format.delimiter);
     }
-    format.rates = header_rates(above, format.delimiter, format.columns, format.decimal_comma);
+    format.rates =
+        header_rates(above.lines, format.delimiter, format.columns, format.decimal_comma);
     if (format.columns <= most_columns) {
         find_columns(rows, choice, table->words, format);
     }
     const auto columns = static_cast<std::size_t>(format.columns);
-    for (std::size_t i = columns; i < extent.used; ++i) {
+    for (std::size_t i = columns; i < above.used; ++i) {
         const std::string& name = format.headings[i].name;
         format.words.push_back(name.empty() ? std::to_string(i + 1) : name);
     }

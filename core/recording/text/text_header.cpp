@@ -381,7 +381,7 @@ private:
         const auto is_time = [this](const std::string& field) {
             return above_.first_is_time && is_time_name(name_and_unit(field).name);
         };
-        if (may_lack_first && fields.size() + 1 == above_.rows.named &&
+        if (may_lack_first && fields.size() + 1 == above_.named &&
             std::ranges::none_of(fields, is_number) && std::ranges::none_of(fields, is_time)) {
             fields.insert(fields.begin(), "");
         }
@@ -393,12 +393,12 @@ private:
         };
         const auto behind =
             fields.begin() + static_cast<std::ptrdiff_t>(std::min(columns, fields.size()));
-        if (fields.size() < above_.rows.named ||
+        if (fields.size() < above_.named ||
             (!std::all_of(behind, fields.end(), is_extra) &&
              std::count_if(fields.begin(), behind, is_clear_name) < 2)) {
             return std::nullopt;
         }
-        fields.resize(std::min(fields.size(), above_.rows.used));
+        fields.resize(std::min(fields.size(), above_.used));
         return fields;
     }
 
@@ -490,7 +490,7 @@ private:
         for (const char delimiter : {';', ',', '\t'}) {
             if (!fields && delimiter != format_.delimiter) {
                 auto other = row_of_names(line, delimiter);
-                if (other && other->size() == above_.rows.used &&
+                if (other && other->size() == above_.used &&
                     std::ranges::all_of(*other, is_clear_name)) {
                     fields = std::move(other);
                 }

@@ -10,18 +10,14 @@
 
 namespace vybeg {
 
-// The fields of a table's rows.
-struct RowExtent {
-    std::size_t longest = 0;  // of a row: the table's columns, or more
-    std::size_t used = 0;     // but for columns at the end that are empty in all rows
-    std::size_t named = 0;    // of these, but for columns at the end that hold words
-};
-
 // The lines above a table.
 struct LinesAbove {
-    std::span<const std::string> lines;
+    std::span<const std::string> lines{};
     std::size_t names_from = 0;  // lines above this one hold numbers, and do not name the columns
-    RowExtent rows;
+    // Fields of the table's rows.
+    std::size_t longest = 0;     // of a row: the table's columns, or more
+    std::size_t used = 0;        // but for columns at the end that are empty in all rows
+    std::size_t named = 0;       // of these, but for columns at the end that hold words
     bool first_unnamed = false;  // the first one counts the rows, rises as a time or holds words
     bool first_is_time = false;  // it rises and counts no rows: no other one is the time
 };

@@ -143,19 +143,14 @@ std::int64_t TextBlocks::count() const {
 
 Status TextBlocks::append(std::int64_t from, std::int64_t to, std::string& bytes) const {
     const auto length = static_cast<std::size_t>(to - from);
-    const auto fill = [&](std::span<char> out) -> Status {
-        const auto got = TRY(file_->read(from, out));
-        return got == to - from ? Status{}
-                                : file_->error(ErrorCode::file_read_failed,
-                                               {"the file became shorter while it was read"});
-    };
+    const auto part = file_part(file_, from, to - from);
     if (encoding_ == TextEncoding::bytes) {
         const std::size_t before = bytes.size();
         bytes.resize(before + length);
-        return fill(std::span(bytes).subspan(before));
+        return part->read(0, std::span(bytes).subspan(before));
     }
     std::vector<char> units(length);
-    const Status status = fill(units);
+    const Status status = part->read(0, units);
     append_utf16({units.data(), units.size()}, encoding_, bytes);
     return status;
 }

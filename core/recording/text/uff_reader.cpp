@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -62,18 +61,10 @@ std::string told(std::string_view text) {
     return text == "NONE" ? std::string{} : to_utf8(text);
 }
 
-template <class Number>
-std::optional<Number> number(std::string_view text) {
-    Number value{};
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
-    return whole ? std::optional(value) : std::nullopt;
-}
-
 // E.g. "12+X": the direction is 1, 2, 3 for the axes, 4, 5, 6 for rotations, negative the other
 // way.
 std::string node_and_direction(std::string_view line) {
-    const auto direction = number<int>(field(line, 51, 4));
+    const auto direction = whole_number<int>(field(line, 51, 4));
     const std::string_view node = field(line, 41, 10);
     if (!direction || *direction == 0 || std::abs(*direction) > 6 || node.empty()) {
         return {};
@@ -111,11 +102,11 @@ std::optional<UffFunction> parse_uff_header(const std::vector<std::string>& line
     const std::string& form = lines[6];
     const std::string& abscissa = lines[7];
     const std::string& ordinate = lines[8];
-    const auto function = number<int>(field(kind, 0, 5));
-    const auto data_type = number<int>(field(form, 0, 10));
-    const auto count = number<std::int64_t>(field(form, 10, 10));
-    const auto spacing = number<int>(field(form, 20, 10));
-    const auto axis = number<int>(field(abscissa, 0, 10));
+    const auto function = whole_number<int>(field(kind, 0, 5));
+    const auto data_type = whole_number<int>(field(form, 0, 10));
+    const auto count = whole_number<std::int64_t>(field(form, 10, 10));
+    const auto spacing = whole_number<int>(field(form, 20, 10));
+    const auto axis = whole_number<int>(field(abscissa, 0, 10));
     std::vector<double> step;
     if (!function || !data_type || *data_type < 1 || *data_type > 6 || !count || *count < 0 ||
         !spacing || !axis || !parse_uff_values(field(form, 43, 13), step) || step.size() != 1) {
@@ -150,7 +141,7 @@ std::optional<UffBinary> parse_uff_binary(std::string_view line) {
     for (std::int64_t& value : numbers) {
         line = trimmed(line);
         const std::string_view word = line.substr(0, line.find(' '));
-        const auto parsed = number<std::int64_t>(word);
+        const auto parsed = whole_number<std::int64_t>(word);
         if (!parsed || *parsed < 0) {
             return std::nullopt;
         }

@@ -1,5 +1,6 @@
 #include "core/recording/variables/library_variables.h"
 
+#include "core/base/guarded.h"
 #include "core/base/message_arg.h"
 
 #include <algorithm>
@@ -308,69 +309,76 @@ namespace {
 constexpr std::string_view hdf5_signature("\x89HDF\r\n\x1a\n", 8);
 constexpr std::string_view matlab_signature = "MATLAB 7.3 MAT-file";
 
-class VariableSource final : public SampleSource {
+class HelperVariables final : public VariableReader,
+                              public std::enable_shared_from_this<HelperVariables> {
 public:
-    VariableSource(std::shared_ptr<const VariableReader> reader, ChannelPlace c, ChannelPlace d,
-                   std::int64_t frames, bool seeks)
-        : reader_(std::move(reader)), c_(c), d_(d), frames_(frames), seeks_(seeks) {}
+    HelperVariables(std::shared_ptr<const FileBytes> file, std::string kind, std::string format,
+                    bool seeks, std::unique_ptr<ReaderProcess> process)
+        : file_(std::move(file)),
+          kind_(std::move(kind)),
+          format_(std::move(format)),
+          seeks_(seeks),
+          process_(std::move(process)) {}
 
-    std::int64_t frames() const override { return frames_; }
-    bool seeks() const override { return seeks_; }
-
-    // In turn, so that what the library has decoded for C serves D.
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        for (std::size_t done = 0; done < c.size(); done += frames_per_request) {
-            const std::size_t count =
-                std::min(static_cast<std::size_t>(frames_per_request), c.size() - done);
-            const std::int64_t from = first + static_cast<std::int64_t>(done);
-            TRY(reader_->read(c_, from, c.subspan(done, count)));
-            TRY(reader_->read(d_, from, d.subspan(done, count)));
+    Status read(const ChannelPlace& place, std::int64_t first,
+                std::span<double> out) const override {
+        const auto process = process_.hold();
+        if (!*process) {
+            auto started = TRY(ReaderProcess::start(file_, kind_, format_));
+            *process = std::move(started);
         }
+        const SampleRequest request{place.variable, place.channel, first,
+                                    static_cast<std::int64_t>(out.size())};
+        if (!fits(request, (*process)->catalogue())) {
+            process->reset();
+            return file_->error(ErrorCode::file_read_failed,
+                                {"the file changed while it was read"});
+        }
+        if (const Status status = (*process)->read(request, out); !status) {
+            process->reset();
+            return status;
+        }
+        std::replace_if(
+            out.begin(), out.end(), [](double sample) { return std::isinf(sample); },
+            std::numeric_limits<double>::quiet_NaN());
         return {};
     }
 
+    // In turn, so that what the library has decoded for C serves D.
+    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
+                                                       std::int64_t frames) const override {
+        return source_of(
+            frames, seeks_,
+            [self = shared_from_this(), c, d](std::int64_t first, std::span<double> out_c,
+                                              std::span<double> out_d) -> Status {
+                for (std::size_t done = 0; done < out_c.size(); done += frames_per_request) {
+                    const std::size_t count =
+                        std::min(static_cast<std::size_t>(frames_per_request), out_c.size() - done);
+                    const std::int64_t from = first + static_cast<std::int64_t>(done);
+                    TRY(self->read(c, from, out_c.subspan(done, count)));
+                    TRY(self->read(d, from, out_d.subspan(done, count)));
+                }
+                return {};
+            });
+    }
+
 private:
-    std::shared_ptr<const VariableReader> reader_;
-    ChannelPlace c_;
-    ChannelPlace d_;
-    std::int64_t frames_;
+    std::shared_ptr<const FileBytes> file_;
+    std::string kind_;
+    std::string format_;
     bool seeks_;
+    Guarded<std::unique_ptr<ReaderProcess>> process_;
 };
 
 }  // namespace
 
-LibraryVariables::LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
-                                   std::unique_ptr<ReaderProcess> process)
-    : file_(std::move(file)), format_(std::move(format)), process_(std::move(process)) {}
-
-Status LibraryVariables::read(const ChannelPlace& place, std::int64_t first,
-                              std::span<double> out) const {
-    const auto process = process_.hold();
-    if (!*process) {
-        auto started = TRY(ReaderProcess::start(file_, format_.kind, format_.name));
-        *process = std::move(started);
-    }
-    const SampleRequest request{place.variable, place.channel, first,
-                                static_cast<std::int64_t>(out.size())};
-    if (!fits(request, (*process)->catalogue())) {
-        process->reset();
-        return file_->error(ErrorCode::file_read_failed, {"the file changed while it was read"});
-    }
-    if (const Status status = (*process)->read(request, out); !status) {
-        process->reset();
-        return status;
-    }
-    std::replace_if(
-        out.begin(), out.end(), [](double sample) { return std::isinf(sample); },
-        std::numeric_limits<double>::quiet_NaN());
-    return {};
-}
-
-Result<std::shared_ptr<const SampleSource>> LibraryVariables::source(const ChannelPlace& c,
-                                                                     const ChannelPlace& d,
-                                                                     std::int64_t frames) const {
-    return std::shared_ptr<const SampleSource>(
-        std::make_shared<VariableSource>(shared_from_this(), c, d, frames, format_.seeks));
+Result<LibraryVariables> open_library(const std::shared_ptr<const FileBytes>& file,
+                                      const std::string& kind, const std::string& format,
+                                      bool seeks) {
+    auto process = TRY(ReaderProcess::start(file, kind, format));
+    const Catalogue catalogue = process->catalogue();
+    return LibraryVariables{catalogue, std::make_shared<HelperVariables>(file, kind, format, seeks,
+                                                                         std::move(process))};
 }
 
 bool is_hdf5(std::string_view head, const FileBytes& file) {
@@ -391,12 +399,9 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
                             const JobControl& job) {
     const auto head = TRY(file->text(0, std::ssize(matlab_signature)));
     const bool matlab = head == matlab_signature;
-    const LibraryFormat format =
-        matlab ? LibraryFormat{"mat73", "MAT 7.3"} : LibraryFormat{"hdf5", "HDF5"};
-    auto process = TRY(ReaderProcess::start(file, format.kind, format.name));
-    const Catalogue catalogue = process->catalogue();
-    const auto reader = std::make_shared<LibraryVariables>(file, format, std::move(process));
-    return open_variables(*file, catalogue, *reader, options, job);
+    const auto library = TRY(open_library(file, matlab ? "mat73" : "hdf5",
+                                          matlab ? "MAT 7.3" : "HDF5", /*seeks=*/false));
+    return open_variables(*file, library.catalogue, *library.reader, options, job);
 }
 
 }  // namespace vybeg

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/base/guarded.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
@@ -71,31 +70,19 @@ private:
     Catalogue catalogue_;
 };
 
-// A file of MATLAB's or HDF5's, or audio; vybeg-reader knows the kinds "mat73", "hdf5" and "audio".
-struct LibraryFormat {
-    std::string kind;
-    std::string name;    // "MAT 7.3", ...
-    bool seeks = false;  // as SampleSource::seeks(); a packed variable is unpacked from its start
+// The variables of a file that vybeg-reader reads.
+struct LibraryVariables {
+    Catalogue catalogue;
+    std::shared_ptr<const VariableReader> reader;
 };
 
-// Variables read by vybeg-reader. A helper that died or was given up is replaced at the next read:
-// a damaged segment does not cost the rest of the recording. Errors: those of ReaderProcess.
-class LibraryVariables final : public VariableReader,
-                               public std::enable_shared_from_this<LibraryVariables> {
-public:
-    LibraryVariables(std::shared_ptr<const FileBytes> file, LibraryFormat format,
-                     std::unique_ptr<ReaderProcess> process);
-
-    Status read(const ChannelPlace& place, std::int64_t first,
-                std::span<double> out) const override;
-    Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
-                                                       std::int64_t frames) const override;
-
-private:
-    std::shared_ptr<const FileBytes> file_;
-    LibraryFormat format_;
-    Guarded<std::unique_ptr<ReaderProcess>> process_;
-};
+// Starts a helper as ReaderProcess::start() does; `seeks`: as SampleSource::seeks(), of a packed
+// variable false, which is unpacked from its start. A helper that died or was given up is replaced
+// at the next read: a damaged segment does not cost the rest of the recording. Errors: those of
+// ReaderProcess.
+Result<LibraryVariables> open_library(const std::shared_ptr<const FileBytes>& file,
+                                      const std::string& kind, const std::string& format,
+                                      bool seeks);
 
 // Whether a file with these first bytes is of HDF5, as MATLAB's are from level 7.3 on. The
 // signature may also stand at 512, 1024, 2048, ...

@@ -1,4 +1,4 @@
-#include "core/output/recording_json.h"
+#include "core/output/identify_json.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
