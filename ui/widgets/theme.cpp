@@ -165,8 +165,10 @@ CurveStyle curveStyle(int index) {
     // that separates neighbours for every kind of colour blindness.
     static constexpr std::array<const char*, curve_colors> colors{"#0072b2", "#d55e00", "#009e73",
                                                                   "#cc79a7", "#e69f00", "#56b4e9"};
-    return {QColor(colors[static_cast<std::size_t>(index % curve_colors)]),
-            index / curve_colors % curve_shades};
+    const int place = index < 0 ? -1 - index : index;
+    const int color = place % curve_colors;
+    return {QColor(colors.at(static_cast<std::size_t>(index < 0 ? curve_colors - 1 - color : color))),
+            place / curve_colors % curve_shades};
 }
 
 QColor readable(const QColor& color, const Theme& theme, int shade) {

@@ -56,7 +56,8 @@ bool isDark(const QPalette& palette);
 // theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
-// The index-th style (any index >= 0): colours change fastest, then shades.
+// The index-th style: colours change fastest, then shades. -1 is the last colour, -2 the one before
+// it, for curves that leave the first colours to others.
 CurveStyle curveStyle(int index);
 
 // The colour with its lightness changed until it is readable on the theme's panels: contrast 3.2 in
