@@ -3,7 +3,6 @@
 #include "ui/document/document.h"
 #include "ui/history/history_choices.h"
 #include "ui/history/history_view.h"
-#include "ui/plots/xy_plot_view.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"

@@ -3,7 +3,7 @@
 #include "ui/document/background_jobs.h"
 #include "ui/history/history_database.h"
 #include "ui/history/history_export.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 
 class QLabel;
 class QPushButton;
@@ -12,7 +12,6 @@ namespace vybeg::ui {
 
 class Document;
 class HistoryChoices;
-class XYPlotView;
 
 // The history of a gyro's parameters in a laboratory's database of results: values, control charts,
 // distribution. Read in the background; the database's path is kept between sessions.

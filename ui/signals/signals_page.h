@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signal_picture.h"
 #include "ui/values/ids.h"

@@ -2,7 +2,7 @@
 
 #include "core/sweep/window_sweep.h"
 #include "ui/document/background_jobs.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/sweep/shown_sweep.h"
 #include "ui/values/ids.h"
 
@@ -48,7 +48,6 @@ protected:
 
 class Document;
 class QuantityTable;
-class XYPlotView;
 struct RecordingEntry;
 
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against

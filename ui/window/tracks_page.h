@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/log_tracks.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/values/ids.h"
 
 class QLabel;
