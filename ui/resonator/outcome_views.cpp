@@ -286,7 +286,8 @@ void ComparisonView::showAgain() {
     }
     incomparable_->setVisible(!reasons.isEmpty());
     if (shown_) {
-        differences_->setContent(differenceHeaders(), differenceRows(differences, units(), theme()));
+        differences_->setContent(differenceHeaders(),
+                                 differenceRows(differences, units(), theme()));
         incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
         tracks_->setContent(trackPlot(*shown_, passport->passport,
                                       static_cast<TrackVariable>(track_choice_->currentIndex()),

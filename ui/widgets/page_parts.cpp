@@ -54,17 +54,6 @@ void setWords(QWidget& widget, const QString& name, const QString& tip) {
     widget.setToolTip(tip);
 }
 
-void placeByWidth(QWidget& widget, int wide, bool at_first, std::function<void(bool)> place) {
-    place(at_first);
-    whenChanged(widget, {QEvent::Resize},
-                [&widget, wide, is_wide = at_first, place = std::move(place)]() mutable {
-                    if (is_wide != (widget.width() >= wide)) {
-                        is_wide = !is_wide;
-                        place(is_wide);
-                    }
-                });
-}
-
 void addParts(QBoxLayout& layout, LayoutParts parts) {
     for (const LayoutPart& part : parts) {
         if (part.widget) {

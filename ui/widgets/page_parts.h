@@ -31,8 +31,6 @@ Widget* withName(Widget* widget, const char* name) {
 
 // What a screen reader calls a widget, and its tool tip.
 void setWords(QWidget& widget, const QString& name, const QString& tip);
-// Calls `place` with whether a widget is so wide: with `at_first` now, then where that changes.
-void placeByWidth(QWidget& widget, int wide, bool at_first, std::function<void(bool)> place);
 
 // A part of a row or column of a layout: a widget, another layout, or room that grows.
 struct LayoutPart {

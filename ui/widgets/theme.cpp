@@ -167,8 +167,9 @@ CurveStyle curveStyle(int index) {
                                                                   "#cc79a7", "#e69f00", "#56b4e9"};
     const int place = index < 0 ? -1 - index : index;
     const int color = place % curve_colors;
-    return {QColor(colors.at(static_cast<std::size_t>(index < 0 ? curve_colors - 1 - color : color))),
-            place / curve_colors % curve_shades};
+    return {
+        QColor(colors.at(static_cast<std::size_t>(index < 0 ? curve_colors - 1 - color : color))),
+        place / curve_colors % curve_shades};
 }
 
 QColor readable(const QColor& color, const Theme& theme, int shade) {
