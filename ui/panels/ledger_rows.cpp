@@ -243,22 +243,14 @@ QString rowNotes(const LedgerRow& row) {
                 "deviation allows for them.",
                 nullptr, static_cast<int>(summary.at_bound));
         }
-        for (const Finding& finding : findings_of(row.analysis->shown.analysis->diagnostics)) {
-            sentences << findingText(finding);
-        }
+        sentences << findingTexts(findings_of(row.analysis->shown.analysis->diagnostics));
     }
     if (row.first && hasFindings(*row.recording)) {
         const auto& found = row.recording->faults ? row.recording->faults->findings
                                                   : row.recording->recording->diagnostics;
-        for (const Finding& finding : findings_of(found)) {
-            sentences << findingText(finding);
-        }
+        sentences << findingTexts(findings_of(found));
     }
-    if (const auto count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
-        sentences.resize(most_shown);
-        sentences << moreText(count - most_shown);
-    }
-    return sentences.join(QLatin1Char('\n'));
+    return worstOf(sentences).join(QLatin1Char('\n'));
 }
 
 RecordingId recordingOf(const QTreeWidgetItem& item) {
