@@ -1,7 +1,7 @@
 #include "ui/plots/xy_plot.h"
 
-#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_strip.h"
+#include "ui/plots/time_panel.h"
 #include "ui/plots/time_stack.h"
 #include "ui/words/rich_text.h"
 

@@ -89,9 +89,9 @@ void makeSentence(QLabel& label) {
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
 }
 
-void setTexts(QComboBox& box, const QStringList& texts, int first) {
+void setTexts(QComboBox& box, const QStringList& texts) {
     for (int k = 0; k < texts.size(); ++k) {
-        box.setItemText(first + k, texts[k]);
+        box.setItemText(k, texts[k]);
     }
 }
 

@@ -70,8 +70,8 @@ QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = aro
 void makeSentence(QLabel& label);
 // A sentence in the middle of a page that has nothing to show yet; the layout centres the label.
 QLabel* hint(QWidget* parent, const char* name);
-// The texts of a box's entries, from the `first` on.
-void setTexts(QComboBox& box, const QStringList& texts, int first = 0);
+// The texts of a box's entries.
+void setTexts(QComboBox& box, const QStringList& texts);
 
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);

@@ -1,13 +1,12 @@
 // The table of all commands of the window.
 
 #include "ui/panels/ledger.h"
-#include "ui/plots/figure.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_content.h"
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
-#include "ui/window/axis_limits.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
