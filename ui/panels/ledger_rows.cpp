@@ -98,7 +98,7 @@ QIcon curveIcon(const ShownAnalysis& shown) {
     // An opaque background, so that the line is visible on a selected row.
     pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
-    const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
+    const Theme theme = themeOf(QGuiApplication::palette());
     painter.setPen(
         QPen(readable(shown.color, theme, shown.shade), 2.5, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));

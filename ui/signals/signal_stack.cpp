@@ -258,9 +258,7 @@ void SignalGraph::draw(QCPPainter* painter) {
     if (some) {
         samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
         const bool dotted = samplesApart() >= dots_apart;
-        QColor line = ink;
-        line.setAlphaF(dotted ? 0.45F : 1.0F);
-        drawLines(*painter, samples, line);
+        drawLines(*painter, samples, dotted ? translucent(ink, 0.45) : ink);
         drawLost(*painter);
     }
     drawCurve(*painter, 1);
@@ -319,8 +317,7 @@ void SignalGraph::drawRms(QCPPainter& painter) const {
             }
         }
     }
-    QColor pale = content_.theme.text;
-    pale.setAlphaF(0.16F);
+    const QColor pale = translucent(content_.theme.text, 0.16);
     painter.setAntialiasing(false);
     painter.setPen(QPen(pale, 1, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(band);
@@ -379,8 +376,7 @@ void SignalGraph::drawDots(QCPPainter& painter, const QPolygonF& points,
 // Missing samples, as in the columns.
 void SignalGraph::drawLost(QCPPainter& painter) const {
     const std::vector<double>& values = isD() ? content_.excerpt->d : content_.excerpt->c;
-    QColor veil = content_.theme.warning;
-    veil.setAlphaF(0.35F);
+    const QColor veil = translucent(content_.theme.warning, 0.35);
     const double width = std::max(1., samplesApart());
     for (std::size_t k = picture_.from; k < picture_.to; ++k) {
         if (!std::isfinite(values[k])) {
@@ -535,9 +531,7 @@ void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) cons
     const QRectF area = QRectF(panel.rect()).adjusted(6, 2, -6, -2);
     const QRectF box =
         painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);
-    QColor plate = theme.panelBackground;
-    plate.setAlphaF(0.8F);
-    painter.fillRect(box, plate);
+    painter.fillRect(box, translucent(theme.panelBackground, 0.8));
     painter.setPen(theme.text);
     painter.drawText(box, int(Qt::AlignCenter), text);
 }

@@ -51,6 +51,8 @@ Theme darkTheme();
 
 // Whether a palette is a dark one: the luminance of its window against that of its text.
 bool isDark(const QPalette& palette);
+// The theme that goes with a palette.
+Theme themeOf(const QPalette& palette);
 
 // Fusion style and the palette of the mode; `system` uses the palette of the desktop. Returns the
 // theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
@@ -67,6 +69,9 @@ QColor readable(const QColor& color, const Theme& theme, int shade = 0);
 // The colour of an ink; `style`: number of curveStyle() for Ink::style, in another shade for
 // `shades` > 0.
 QColor inkColor(Ink ink, int style, const Theme& theme, int shades = 0);
+
+// A colour of which a part, 0 to 1, is seen over what is below it.
+QColor translucent(QColor color, double part);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.
 double contrast(const QColor& a, const QColor& b);
