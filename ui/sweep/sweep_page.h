@@ -8,7 +8,6 @@
 
 #include <QLineEdit>
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
