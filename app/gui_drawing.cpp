@@ -20,7 +20,7 @@
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
-#include "ui/plots/figure.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"

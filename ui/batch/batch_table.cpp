@@ -345,10 +345,7 @@ QStringList BatchTable::details(int row) const {
     if (of.state == State::failed) {
         lines << reasonText(of);
     }
-    for (const Finding& finding : findings_of(of.warnings)) {
-        lines << findingText(finding);
-    }
-    return lines;
+    return lines << findingTexts(findings_of(of.warnings));
 }
 
 QString BatchTable::detailText(int row) const {
@@ -362,11 +359,7 @@ QVariant BatchTable::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole: return cellText(row, column);
         case sort_role: return sortKey(row, column);
         case Qt::ToolTipRole: {
-            QStringList lines = details(index.row());
-            if (const auto count = static_cast<std::size_t>(lines.size()); count > most_shown) {
-                lines.resize(most_shown);
-                lines << moreText(count - most_shown);
-            }
+            const QStringList lines = worstOf(details(index.row()));
             return plainTip(lines.isEmpty() ? cellText(row, column)
                                             : lines.join(QLatin1Char('\n')));
         }

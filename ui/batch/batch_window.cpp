@@ -121,7 +121,7 @@ void BatchMessage::color() {
     const QPalette usual = parentWidget()->palette();
     QPalette colors = usual;
     if (fault_) {
-        colors.setColor(QPalette::WindowText, (isDark(usual) ? darkTheme() : lightTheme()).broken);
+        colors.setColor(QPalette::WindowText, themeOf(usual).broken);
     }
     if (palette() != colors) {
         setPalette(colors);
@@ -471,7 +471,7 @@ void BatchWindow::closeEvent(QCloseEvent* event) {
 }
 
 void BatchWindow::applyTheme() {
-    model_.setTheme(isDark(palette()) ? darkTheme() : lightTheme());
+    model_.setTheme(themeOf(palette()));
 }
 
 void BatchWindow::retranslate() {

@@ -2,13 +2,15 @@
 
 #include "core/analysis/identify.h"
 #include "core/analysis/settings.h"
-#include "ui/values/dossier.h"
+#include "core/base/describe.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 
 #include <functional>
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -69,6 +71,32 @@ private:
     UndoSteps& steps_;
     Settings settings_;
     Tolerance tolerance_;
+};
+
+// What a person says of the gyro of a session; empty where nothing is said.
+struct GyroData {
+    QString serial;
+    QString type;
+    QString operator_name;
+    QString comment;
+
+    friend bool operator==(const GyroData&, const GyroData&) = default;
+};
+
+template <class Archive, Described<GyroData> Owner>
+void describe(Archive&& archive, Owner& gyro) {
+    archive("serial", gyro.serial);
+    archive("type", gyro.type);
+    archive("operator", gyro.operator_name);
+    archive("comment", gyro.comment);
+}
+
+// The gyro of a session, and what its resonator has to keep.
+struct Dossier {
+    GyroData gyro;
+    std::vector<ParameterLimit> limits;
+
+    friend bool operator==(const Dossier&, const Dossier&) = default;
 };
 
 // The gyro's data and limits of the session, with undo and redo.

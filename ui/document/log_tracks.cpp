@@ -124,12 +124,9 @@ void LogTracks::follow() {
 
 void LogTracks::take(std::vector<ShownAnalysis> tracks) {
     shown_ = std::move(tracks);
-    int place = 0;
+    int from_last = 0;
     for (ShownAnalysis& each : shown_) {
-        // From the last colour on: the recordings take the first ones.
-        const int turn = place / curve_colors;
-        const CurveStyle style = curveStyle(curve_colors * (turn + 1) - 1 - place % curve_colors);
-        ++place;
+        const CurveStyle style = curveStyle(--from_last);  // recordings take the first colours
         each.id = static_cast<AnalysisId>(--made_);
         each.color = style.color;
         each.shade = style.shade;

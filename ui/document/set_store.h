@@ -2,8 +2,8 @@
 
 #include "core/analysis/passport.h"
 #include "ui/document/background_jobs.h"
+#include "ui/document/edits.h"
 #include "ui/document/recording_store.h"
-#include "ui/values/dossier.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 

@@ -3,7 +3,6 @@
 #include "core/recording/samples/open_table.h"
 #include "ui/drift/drift_text.h"
 #include "ui/panels/file_list.h"
-#include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/warning_list.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"

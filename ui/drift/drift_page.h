@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 
 #include <cstddef>
 #include <functional>
@@ -20,7 +20,6 @@ class NumberField;
 class QuantityTable;
 class Section;
 class WarningList;
-class XYPlotView;
 
 // Whole-angle logs, how they are read, and the tolerances of their channels. Each change of a
 // setting is a step of undo.

@@ -34,11 +34,6 @@ namespace {
 constexpr std::size_t frames_shown = 256;  // initially; the wheel shows more
 constexpr int widest_column = 240;         // pixels
 
-QColor translucent(QColor color, float alpha) {
-    color.setAlphaF(alpha);
-    return color;
-}
-
 constexpr qsizetype most_kinds = 50;
 const QString imports_key = QStringLiteral("imports");
 const QString kind_key = QStringLiteral("kind");
@@ -146,7 +141,7 @@ void ImportPreview::fillTable() {
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
                 const bool c = column == preview_.c_column;
                 if (c || column == preview_.d_column) {
-                    item->setBackground(translucent(c ? theme_.signalC : theme_.signalD, 0.18F));
+                    item->setBackground(translucent(c ? theme_.signalC : theme_.signalD, 0.18));
                 } else {
                     item->setForeground(column == preview_.time_column ? theme_.accent
                                                                        : theme_.mutedText);
@@ -205,9 +200,9 @@ void ImportPreview::drawSamples() {
 }
 
 void ImportPreview::applyLook() {
-    theme_ = isDark(palette()) ? darkTheme() : lightTheme();
+    theme_ = themeOf(palette());
     plot_->setBackground(theme_.plotBackground);
-    plot_->legend->setBrush(translucent(theme_.plotBackground, 0.85F));
+    plot_->legend->setBrush(translucent(theme_.plotBackground, 0.85));
     plot_->legend->setTextColor(theme_.text);
     plot_->legend->setFont(font());
     for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis}) {

@@ -98,7 +98,7 @@ QIcon curveIcon(const ShownAnalysis& shown) {
     // An opaque background, so that the line is visible on a selected row.
     pixmap.fill(QGuiApplication::palette().color(QPalette::Base));
     QPainter painter(&pixmap);
-    const Theme theme = isDark(QGuiApplication::palette()) ? darkTheme() : lightTheme();
+    const Theme theme = themeOf(QGuiApplication::palette());
     painter.setPen(
         QPen(readable(shown.color, theme, shown.shade), 2.5, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(2, height / 2.0), QPointF(width - 2, height / 2.0));
@@ -243,22 +243,14 @@ QString rowNotes(const LedgerRow& row) {
                 "deviation allows for them.",
                 nullptr, static_cast<int>(summary.at_bound));
         }
-        for (const Finding& finding : findings_of(row.analysis->shown.analysis->diagnostics)) {
-            sentences << findingText(finding);
-        }
+        sentences << findingTexts(findings_of(row.analysis->shown.analysis->diagnostics));
     }
     if (row.first && hasFindings(*row.recording)) {
         const auto& found = row.recording->faults ? row.recording->faults->findings
                                                   : row.recording->recording->diagnostics;
-        for (const Finding& finding : findings_of(found)) {
-            sentences << findingText(finding);
-        }
+        sentences << findingTexts(findings_of(found));
     }
-    if (const auto count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
-        sentences.resize(most_shown);
-        sentences << moreText(count - most_shown);
-    }
-    return sentences.join(QLatin1Char('\n'));
+    return worstOf(sentences).join(QLatin1Char('\n'));
 }
 
 RecordingId recordingOf(const QTreeWidgetItem& item) {

@@ -51,16 +51,13 @@ void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
     }
     painter.setPen(QPen(lane.color, row.width, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(read);
-    QColor pale = lane.color;
-    pale.setAlphaF(0.45f);
-    painter.setPen(QPen(pale, row.width, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(translucent(lane.color, 0.45), row.width, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(looked_at);
 }
 
 void paintMissing(QPainter& painter, const ColumnRow& row, const Buckets& columns,
                   const Theme& theme) {
-    QColor veil = theme.warning;
-    veil.setAlphaF(0.35f);
+    const QColor veil = translucent(theme.warning, 0.35);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (columns[i].missing) {
             const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;

@@ -179,9 +179,7 @@ void DecimatedGraph::drawBands(QCPPainter& painter) const {
 }
 
 QColor DecimatedGraph::bandColor() const {
-    QColor color = look_.color;
-    color.setAlphaF(static_cast<float>(0.3 / std::sqrt(static_cast<double>(all_.size()))));
-    return color;
+    return translucent(look_.color, 0.3 / std::sqrt(static_cast<double>(all_.size())));
 }
 
 void DecimatedGraph::drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns,

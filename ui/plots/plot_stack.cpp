@@ -1,6 +1,5 @@
 #include "ui/plots/plot_stack.h"
 
-#include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_strip.h"
 #include "ui/values/curve_data.h"
 
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace vybeg::ui {
@@ -134,6 +134,118 @@ void PlotOverlay::drawDots(QCPPainter& painter, const PlotPanel& panel, double t
             3.5, 3.5);
     }
     painter.setBrush(Qt::NoBrush);
+}
+
+namespace {
+
+using FigureColumns = std::vector<FigureColumn>;
+using Stacks = std::vector<std::unique_ptr<PlotStack>>;
+
+// One time axis for all columns.
+AxisRange commonTime(const FigureColumns& columns) {
+    std::vector<ShownAnalysis> analyses;
+    for (const FigureColumn& column : columns) {
+        analyses.push_back(column.shown);
+    }
+    return coveredTime(analyses).value_or(AxisRange{0, 1});
+}
+
+// The value axes that show every column of a row.
+std::map<SlowVariable, AxisRange> commonValues(const Stacks& stacks,
+                                               const std::vector<SlowVariable>& variables) {
+    std::map<SlowVariable, AxisRange> common;
+    for (const SlowVariable variable : variables) {
+        for (const auto& stack : stacks) {
+            const AxisRange own = stack->panel(variable)->automaticValues();
+            const auto [known, first] = common.emplace(variable, own);
+            if (!first) {
+                known->second = {std::min(known->second.lower, own.lower),
+                                 std::max(known->second.upper, own.upper)};
+            }
+        }
+    }
+    return common;
+}
+
+void setLetters(const Stacks& stacks, std::size_t rows) {
+    int letter = 0;
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (const auto& stack : stacks) {
+            // "aa" would follow z; figures of this program have fewer plots.
+            QString text(QChar('a' + letter % 26));
+            stack->panels()[row]->setLetter(text.repeated(1 + letter / 26));
+            ++letter;
+        }
+    }
+}
+
+void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPPainter& painter,
+                QSize size) {
+    const QSize column_size(size.width() / std::max(1, static_cast<int>(columns.size())),
+                            size.height());
+    QCustomPlot plot;
+    preparePlot(plot, lightTheme());
+    Stacks stacks;
+    ZoomState zoom{commonTime(columns), {}};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        stacks.push_back(std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotHead::line));
+        stacks.back()->setTitle(columns[i].title);
+        PlotContent content;
+        content.analyses = {columns[i].shown};
+        // A column has one analysis, so no legend is needed.
+        content.analyses.front().visible = true;
+        content.analyses.front().color = curveStyle(0).color;
+        content.analyses.front().shade = 0;
+        content.variables = options.variables;
+        content.units = options.units;
+        content.zoom = zoom;
+        stacks.back()->setContent(content);
+        stacks.back()->prepare(column_size);
+    }
+    if (options.common_value_axes) {
+        zoom.fixed = commonValues(stacks, options.variables);
+    }
+    for (const auto& stack : stacks) {
+        stack->setZoom(zoom);
+    }
+    setLetters(stacks, options.variables.size());
+    plot.toPainter(&painter, size.width(), size.height());
+}
+
+}  // namespace
+
+QSize figureSize(std::size_t columns, const FigureOptions& options) {
+    constexpr int strips = 66;
+    return {420 * std::max(1, static_cast<int>(columns)),
+            strips + 150 * static_cast<int>(options.variables.size())};
+}
+
+Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options) {
+    return [columns, options](QCPPainter& painter, QSize size) {
+        drawFigure(columns, options, painter, size);
+    };
+}
+
+Drawing plotsDrawing(const PlotContent& content) {
+    PlotContent paper = content;
+    paper.theme = lightTheme();
+    return [paper](QCPPainter& painter, QSize size) {
+        QCustomPlot plot;
+        preparePlot(plot, paper.theme);
+        PlotStack stack(plot, 0, PlotHead::line);
+        // Twice, because the room for the names is known after the first layout.
+        stack.setContent(paper);
+        stack.prepare(size);
+        stack.setZoom(paper.zoom);
+        plot.toPainter(&painter, size.width(), size.height());
+    };
+}
+
+QSize paperSize(const PlotContent& content) {
+    FigureOptions options;
+    options.variables = content.variables;
+    constexpr int width = 900;
+    return {width, figureSize(1, options).height()};
 }
 
 }  // namespace vybeg::ui

@@ -1,8 +1,14 @@
 #pragma once
 
 #include "ui/plots/plot_content.h"
+#include "ui/plots/plot_file.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/time_stack.h"
+#include "ui/values/shown_analysis.h"
+#include "ui/words/display_units.h"
+
+#include <QSize>
+#include <QString>
 
 #include <vector>
 
@@ -37,8 +43,6 @@ private:
     std::vector<PlotPanel*> panels_;
 };
 
-class PlotPanel;
-
 // Over the slow variables: a dot on each curve at the tracker, and what an empty view says.
 class PlotOverlay : public TimeOverlay {
 public:
@@ -59,5 +63,35 @@ private:
     QString hint_;
     int unlike_ = 0;
 };
+
+// One column of the article's figure: one window length.
+struct FigureColumn {
+    QString title;  // e.g. "n = 6"
+    ShownAnalysis shown;
+};
+
+struct FigureOptions {
+    std::vector<SlowVariable> variables{SlowVariable::a_A, SlowVariable::a_B,
+                                        SlowVariable::two_theta_A, SlowVariable::f};
+    DisplayUnits units;
+    // Common value axis of the columns of a row, for comparison of the scatter. Off: each panel
+    // follows its own data.
+    bool common_value_axes = true;
+};
+
+// The article's figure: a row of panels per variable, a column per window length, one time axis,
+// letters a, b, c ... row by row.
+// Needs a QApplication but no window and no display (offscreen platform).
+Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
+
+// 420 device-independent pixels per column, 150 per row.
+QSize figureSize(std::size_t columns, const FigureOptions& options);
+
+// Stacked plots on paper: always in the light theme, with the names of several analyses above.
+Drawing plotsDrawing(const PlotContent& content);
+
+// The size of a figure of these plots: as wide as a page, each plot as high as in the article's
+// figure. It does not depend on the window.
+QSize paperSize(const PlotContent& content);
 
 }  // namespace vybeg::ui

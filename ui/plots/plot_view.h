@@ -1,11 +1,20 @@
 #pragma once
 
 #include "ui/plots/plot_file.h"
+#include "ui/plots/xy_plot.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/display_units.h"
 
 #include <QWidget>
 
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
 class QAction;
+class QCustomPlot;
 
 namespace vybeg::ui {
 
@@ -42,6 +51,97 @@ private:
     QAction* copy_;
     QAction* export_;
     Theme theme_ = lightTheme();
+};
+
+// A plot of one quantity against another in a panel.
+class XYPlotView : public PlotView {
+    Q_OBJECT
+
+public:
+    explicit XYPlotView(QWidget* parent = nullptr);
+
+    void setContent(const XYPlot& content);
+    const XYPlot& content() const { return content_; }
+    // As high as a panel shows it, unless the minimum height is set to another one.
+    QSize sizeHint() const override { return {260, minimumHeight()}; }
+    // A click near a point of this series, by its number in the content, emits pointClicked(), a
+    // double click also pointActivated(); Left and Right emit stepWanted().
+    void setPickable(std::optional<std::size_t> series);
+    // Tooltips of the points of that series, rich text, made when one is shown.
+    void setPointTips(std::function<QString(std::size_t)> tip) { tip_ = std::move(tip); }
+    // Where a point of a series lies in the widget.
+    QPointF positionOf(std::size_t series, std::size_t point) const;
+
+    Figure figure() const override;
+
+signals:
+    void pointClicked(int point);
+    void pointActivated(int point);
+    void stepWanted(int by);
+
+protected:
+    bool event(QEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    // The pickable point at a position.
+    std::optional<std::size_t> pointAt(const QPointF& position) const;
+    void rebuild() override;
+
+    QCustomPlot* plot_;
+    XYPlot content_;
+    std::optional<std::size_t> pickable_;
+    std::function<QString(std::size_t)> tip_;  // empty text: none
+};
+
+// What is exported of plots: those that show something, by their accessible names.
+FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
+                       const QString& title);
+
+// A page of the window, or a part of one: plots, and numbers beside them.
+class MeasuredPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MeasuredPage(QWidget* parent);
+
+    virtual FigureSource figures() const { return {}; }
+    virtual void setTheme(const Theme& theme);
+    virtual void setUnits(const DisplayUnits& units);
+
+signals:
+    void exportWanted(const Figure& figure);
+    void figuresChanged();  // figures() are others, or there are some now
+
+protected:
+    const Theme& theme() const { return theme_; }
+    const DisplayUnits& units() const { return units_; }
+    // Theme or units are others.
+    virtual void showAgain() {}
+    // A plot or another part in the page's theme and units; its export is exportWanted().
+    template <class Part>
+    Part* withPart(Part* part) {
+        connect(part, &Part::exportWanted, this, &MeasuredPage::exportWanted);
+        if constexpr (std::derived_from<Part, PlotView>) {
+            plots_.push_back(part);
+        } else {
+            parts_.push_back(part);
+        }
+        return part;
+    }
+    // A plot of at least that height, pixels.
+    XYPlotView* addPlot(const char* name, int least_height);
+    // The texts of the page in the language of the window.
+    virtual void retranslate() {}
+
+private:
+    Theme theme_ = lightTheme();
+    DisplayUnits units_;
+    std::vector<PlotView*> plots_;
+    std::vector<MeasuredPage*> parts_;
 };
 
 }  // namespace vybeg::ui

@@ -12,7 +12,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace vybeg::ui {
@@ -200,8 +199,7 @@ void SignalView::drawRanges(QPainter& painter, const QRect& area) const {
     };
     const double from = clip(toPixel(visible_.lower));
     const double to = clip(toPixel(visible_.upper));
-    QColor veil = theme_.plotBackground;
-    veil.setAlphaF(0.68f);
+    const QColor veil = translucent(theme_.plotBackground, 0.68);
     painter.fillRect(QRectF(area.left(), area.top(), from - area.left(), area.height()), veil);
     painter.fillRect(QRectF(to, area.top(), area.right() + 1 - to, area.height()), veil);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -239,9 +237,7 @@ void SignalView::drawRanges(QPainter& painter, const QRect& area) const {
 void SignalView::drawLabel(QPainter& painter, const QRect& area, int alignment,
                            const QString& text) const {
     const QRectF box = painter.boundingRect(QRectF(area.adjusted(6, 0, -6, 0)), alignment, text);
-    QColor plate = theme_.plotBackground;
-    plate.setAlphaF(0.75f);
-    painter.fillRect(box.adjusted(-2, 1, 2, -1), plate);
+    painter.fillRect(box.adjusted(-2, 1, 2, -1), translucent(theme_.plotBackground, 0.75));
     painter.setPen(theme_.text);
     painter.drawText(box, alignment, text);
 }

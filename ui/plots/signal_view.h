@@ -9,8 +9,6 @@
 #include <QWidget>
 
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace vybeg::ui {
 

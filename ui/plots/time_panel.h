@@ -1,14 +1,91 @@
 #pragma once
 
-#include "ui/plots/panel_frame.h"
+#include "ui/plots/axis_ticks.h"
 #include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
 #include <qcustomplot.h>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
+
+// Passes the ticks of axis_ticks.h to a QCPAxis. Precondition of each layout: setRoom() with the
+// length and font of the axis.
+class PanelTicker : public QCPAxisTicker {
+public:
+    explicit PanelTicker(Qt::Orientation orientation) : orientation_(orientation) {}
+
+    // `beyond`: pixels after the upper end of a horizontal axis that a label may use.
+    void setRoom(double length, const QFont& font, double beyond = 0);
+    void setSteps(TickSteps steps) { steps_ = steps; }
+    void setLogarithmic(bool logarithmic) { logarithmic_ = logarithmic; }
+
+    // Widths of the texts that share the labels' room, for the ticks of the coming layout: lines
+    // from the top of a vertical axis, or one at the end of a horizontal one. Labels that would
+    // touch them are omitted, and those of a vertical axis that would leave its length.
+    using Texts = std::function<std::vector<double>(const AxisTicks&)>;
+    void setShared(Texts texts, double room = 0) {
+        shared_ = std::move(texts);
+        shared_room_ = room;
+    }
+
+    // As of the latest layout.
+    const AxisTicks& ticks() const { return ticks_; }
+
+    void generate(const QCPRange& range, const QLocale& locale, QChar formatChar, int precision,
+                  QVector<double>& ticks, QVector<double>* subTicks,
+                  QVector<QString>* tickLabels) override;
+
+private:
+    void omitLabels(const AxisRange& range, QVector<QString>& labels) const;
+
+    Qt::Orientation orientation_;
+    double length_ = 100;
+    double beyond_ = 0;
+    QFont font_;
+    TickSteps steps_ = TickSteps::decimal;
+    bool logarithmic_ = false;
+    Texts shared_;
+    double shared_room_ = 0;  // beside a vertical axis
+    AxisTicks ticks_;
+};
+
+// A panel in a full frame with ticks at the left and bottom only, on the layers of preparePlot().
+// Labels under the frame lie outside its margins.
+class FramedPanel : public QCPAxisRect {
+public:
+    // `around`: pixels around the frame; left: at least.
+    FramedPanel(QCustomPlot* plot, const QMargins& around);
+
+    // Size of the frame after the next layout, without exact left margin.
+    void setExpectedSize(QSize size) { expected_ = size; }
+    QSize expectedSize() const { return expected_; }
+    const Theme& theme() const { return theme_; }
+    const QFont& font() const { return font_; }
+
+    void update(UpdatePhase phase) override;
+
+protected:
+    void setLook(const Theme& theme, const QFont& font);
+    PanelTicker& ticker(QCPAxis::AxisType side) const {
+        return side == QCPAxis::atBottom ? *x_ : *y_;
+    }
+    // Tick labels are smaller than other texts.
+    const QFont& tickFont() const { return tick_font_; }
+    // In the middle, where no curve is.
+    void drawEmpty(QCPPainter& painter, const QString& text) const;
+
+private:
+    QSharedPointer<PanelTicker> x_{new PanelTicker(Qt::Horizontal)};
+    QSharedPointer<PanelTicker> y_{new PanelTicker(Qt::Vertical)};
+    Theme theme_;
+    QFont font_;
+    QFont tick_font_;
+    QSize expected_{400, 100};
+};
 
 // Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
 enum class PlotHead { margin, line };

@@ -155,11 +155,9 @@ void TimeOverlay::draw(QCPPainter* painter) {
     drawHair(*painter, shown.cursor_b, theme.cursorB, QStringLiteral("B"));
     drawHair(*painter, shown.tracker, theme.tracker, QString());
     if (band_) {
-        QColor fill = theme.accent;
-        fill.setAlphaF(0.15F);
         painter->setAntialiasing(false);
         painter->setPen(QPen(theme.accent, 1));
-        painter->setBrush(fill);
+        painter->setBrush(translucent(theme.accent, 0.15));
         painter->drawRect(*band_);
         painter->setBrush(Qt::NoBrush);
     }

@@ -1,7 +1,7 @@
 #include "ui/plots/xy_plot.h"
 
-#include "ui/plots/panel_frame.h"
 #include "ui/plots/plot_strip.h"
+#include "ui/plots/time_panel.h"
 #include "ui/plots/time_stack.h"
 #include "ui/words/rich_text.h"
 
@@ -187,10 +187,8 @@ void addLine(QCustomPlot& plot, const Axes& axes, const XYSeries& series, const 
         return graph;
     };
     if (!series.sd.empty()) {
-        QColor faint = pen.color();
-        faint.setAlphaF(0.18F);
         QCPGraph* upper = line(1);
-        upper->setBrush(faint);
+        upper->setBrush(translucent(pen.color(), 0.18));
         upper->setChannelFillGraph(line(-1));
     }
     line(0);

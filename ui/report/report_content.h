@@ -11,7 +11,7 @@
 #include "core/track/track_summary.h"
 #include "ui/document/document.h"
 #include "ui/document/drift_store.h"
-#include "ui/values/dossier.h"
+#include "ui/document/edits.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
 #include "ui/values/shown_analysis.h"

@@ -1,7 +1,7 @@
 #include "ui/report/report_parts.h"
 
 #include "ui/drift/drift_text.h"
-#include "ui/plots/figure.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/words/rich_text.h"
 

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vybeg::ui {
 
@@ -264,19 +263,6 @@ QString rateText(double rate_hz) {
     return richText(groupedDigits(QLocale().toString(rate_hz, 'g', 12)));
 }
 
-// The findings as sentences, beyond `most` their number.
-QStringList sentences(const std::vector<Finding>& findings,
-                      std::size_t most = std::numeric_limits<std::size_t>::max()) {
-    QStringList texts;
-    for (std::size_t k = 0; k < std::min(findings.size(), most); ++k) {
-        texts << findingText(findings[k]);
-    }
-    if (findings.size() > most) {
-        texts << moreText(findings.size() - most);
-    }
-    return texts;
-}
-
 QString bold(const QString& text) {
     return QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped());
 }
@@ -287,7 +273,7 @@ QString checkText(const ReportRecording& recording) {
     }
     return recording.check->empty()
                ? ReportWords::tr("no findings")
-               : sentences(findings_of(*recording.check)).join(QStringLiteral(" "));
+               : findingTexts(findings_of(*recording.check)).join(QStringLiteral(" "));
 }
 
 QString recordingsSection(const ReportContent& content) {
@@ -403,7 +389,7 @@ std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
 }
 
 QString warningsPart(const QString& title, const std::vector<Finding>& findings) {
-    return findings.empty() ? QString() : smallHeading(title) + items(sentences(findings));
+    return findings.empty() ? QString() : smallHeading(title) + items(findingTexts(findings));
 }
 
 // Each kind once, the worst first; of the recordings, of the analyses, of the result.
@@ -444,7 +430,7 @@ QString worstWarnings(const ReportContent& content) {
     findings.resize(count_warnings(findings));
     return smallHeading(ReportWords::tr("Warnings")) +
            (findings.empty() ? paragraph(ReportWords::tr("None."))
-                             : items(sentences(findings, most_shown)));
+                             : items(worstOf(findingTexts(findings))));
 }
 
 // Lines for those who answer for the report.

@@ -4,7 +4,6 @@
 #include "ui/document/document.h"
 #include "ui/panels/measuring.h"
 #include "ui/plots/track_view.h"
-#include "ui/plots/xy_plot_view.h"
 #include "ui/residuals/shown_residuals.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"

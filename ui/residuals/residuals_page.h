@@ -2,7 +2,7 @@
 
 #include "core/residuals/find_residuals.h"
 #include "ui/document/background_jobs.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/plots/xy_plot.h"
 #include "ui/values/ids.h"
 
@@ -21,7 +21,6 @@ class Document;
 class NumberField;
 class QuantityTable;
 class TrackView;
-class XYPlotView;
 struct AnalysisEntry;
 
 // The residual of the chosen analysis: its spectrum with the lines above the noise, its

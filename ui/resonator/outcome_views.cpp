@@ -1,7 +1,6 @@
 #include "ui/resonator/outcome_views.h"
 
 #include "ui/charts/round_plot.h"
-#include "ui/plots/xy_plot_view.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
@@ -42,12 +41,6 @@ QStringList markedNames(const ResonatorOutcome& outcome) {
 
 }  // namespace
 
-void OutcomeView::setTheme(const Theme& theme) {
-    theme_ = theme;
-    std::ranges::for_each(plots_, [&theme](PlotView* plot) { plot->setTheme(theme); });
-    rebuild();
-}
-
 NumbersView::NumbersView(QWidget* parent)
     : OutcomeView(parent),
       warnings_(withName(new WarningList(this), "warnings")),
@@ -71,7 +64,7 @@ NumbersView::NumbersView(QWidget* parent)
     modes_tab_ = addTab(modes_);
     sensitivities_tab_ = addTab(sensitivities_);
     fill(new QVBoxLayout(this), {}, 2, {warnings_, resonator_, statistical_, {tabs_, 1}});
-    keepTranslated(*this, [this] { retranslate(); });
+    retranslate();
 }
 
 int NumbersView::addTab(QWidget* content) {
@@ -80,10 +73,10 @@ int NumbersView::addTab(QWidget* content) {
 
 void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
     limits_ = limits;
-    rebuild();
+    showAgain();
 }
 
-void NumbersView::rebuild() {
+void NumbersView::showAgain() {
     for (const int tab : {recordings_tab_, modes_tab_, sensitivities_tab_}) {
         tabs_->setTabVisible(tab, shown_ != nullptr);
     }
@@ -98,13 +91,13 @@ void NumbersView::rebuild() {
     const std::vector<Finding> findings = recordingFindings(outcome);
     warnings_->setFindings(findings_of(found.fit.warnings));
     findings_->setFindings(findings);
-    waves_->setContent(markedNames(outcome), waveRows(found, units_));
+    waves_->setContent(markedNames(outcome), waveRows(found, units()));
     // The result of a session holds no motion of the waves.
     const bool has_motion = std::ranges::any_of(found.runs, [](const IdentifiedRun& run) {
         return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
     });
     waves_->setVisible(has_motion);
-    const auto rows = resonatorRows(found, units_, limits_, theme_);
+    const auto rows = resonatorRows(found, units(), limits_, theme());
     const QStringList headers{tr("Value"), tr("Limits")};
     const bool structured = !rows.empty();
     resonator_->setContent(structured && !limits_.empty() ? headers : QStringList(),
@@ -114,16 +107,16 @@ void NumbersView::rebuild() {
     statistical_->setText(offer.isEmpty()
                               ? uncertaintyText(found)
                               : offer + QStringLiteral("<br>") + uncertaintyText(found));
-    const auto sensitivities = sensitivityRows(found, units_);
+    const auto sensitivities = sensitivityRows(found, units());
     QStringList changed;
-    for (const QString& header : sensitivityHeaders(found, units_)) {
+    for (const QString& header : sensitivityHeaders(found, units())) {
         changed << indexPlain(header);
     }
     sensitivities_->setContent(changed, sensitivities);
     tabs_->setTabVisible(sensitivities_tab_, !sensitivities.empty());
     tabs_->setTabText(modes_tab_, modesTitle(found.fit));
     modes_->setContent({}, modeRows(found.fit));
-    runs_->setContent(markedNames(outcome), runRows(found, units_));
+    runs_->setContent(markedNames(outcome), runRows(found, units()));
 }
 
 QString NumbersView::modesTitle(const ResonatorFit& fit) {
@@ -147,7 +140,7 @@ void NumbersView::retranslate() {
     name(modes_tab_, modes_, tr("Modes"), tr("Frequencies and decay times of both modes"));
     name(sensitivities_tab_, sensitivities_, tr("Sensitivity"),
          tr("By how much errors of a usual size would falsify a value"));
-    rebuild();
+    showAgain();
 }
 
 FiguresView::FiguresView(QWidget* parent)
@@ -155,14 +148,14 @@ FiguresView::FiguresView(QWidget* parent)
       hint_(sentence(this, "hint")),
       plots_(new QWidget(this)),
       rim_name_(sentence(plots_, "")),
-      rim_(withPlot(withName(new RoundView(true, plots_), "rim"))),
+      rim_(withPart(withName(new RoundView(true, plots_), "rim"))),
       drift_name_(sentence(plots_, "")),
-      drift_plot_(withPlot(withName(new XYPlotView(plots_), "drift"))),
+      drift_plot_(withPart(withName(new XYPlotView(plots_), "drift"))),
       drift_(withName(new QuantityTable(plots_), "harmonics")),
       balance_(new QWidget(this)),
       balance_name_(sentence(balance_, "")),
       balance_axis_(new QComboBox(balance_)),
-      balance_plot_(withPlot(withName(new XYPlotView(balance_), "balance"))) {
+      balance_plot_(withPart(withName(new XYPlotView(balance_), "balance"))) {
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setMinimumHeight(120);
     rim_->setMinimumSize(240, 270);
@@ -177,7 +170,7 @@ FiguresView::FiguresView(QWidget* parent)
     fill(new QVBoxLayout(balance_), {}, 2, {head, balance_plot_});
     fill(new QVBoxLayout(this), {}, 2, {hint_, {plots_, 1}});
     connect(balance_axis_, &QComboBox::activated, this, &FiguresView::showBalance);
-    keepTranslated(*this, [this] { retranslate(); });
+    retranslate();
 }
 
 FigureSource FiguresView::figures() const {
@@ -190,7 +183,7 @@ FigureSource FiguresView::figures() const {
                     QStringLiteral("resonator"), QString());
 }
 
-void FiguresView::rebuild() {
+void FiguresView::showAgain() {
     const bool structured =
         shown_ && shown_->identification.fit.model == ResonatorModel::structured;
     plots_->setVisible(structured);
@@ -201,8 +194,8 @@ void FiguresView::rebuild() {
                                "resonator is identified."));
     if (structured) {
         rim_->setContent(rimPlot(*shown_));
-        drift_plot_->setContent(driftPlot(*shown_, units_));
-        drift_->setContent({}, driftRows(shown_->identification, units_));
+        drift_plot_->setContent(driftPlot(*shown_, units()));
+        drift_->setContent({}, driftRows(shown_->identification, units()));
         showBalance();
     }
 }
@@ -210,7 +203,7 @@ void FiguresView::rebuild() {
 void FiguresView::showBalance() {
     if (shown_) {
         const auto axis = static_cast<BalanceAxis>(balance_axis_->currentIndex());
-        balance_plot_->setContent(balancePlot(*shown_, axis, units_));
+        balance_plot_->setContent(balancePlot(*shown_, axis, units()));
     }
 }
 
@@ -236,7 +229,7 @@ void FiguresView::retranslate() {
            "a band; dashed: by the fitted resonator. Without what the quadrature adds")));
     balance_plot_->setToolTip(
         richTip(tr("Zero within its band while the channels are balanced as the fit has them")));
-    rebuild();
+    showAgain();
 }
 
 ComparisonView::ComparisonView(Document& document, QWidget* parent)
@@ -247,7 +240,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
       differences_(withName(new QuantityTable(this), "differences")),
       incomparable_(sentence(this, "incomparable")),
       track_choice_(new QComboBox(this)),
-      tracks_(withPlot(withName(new XYPlotView(this), "tracks"))),
+      tracks_(withPart(withName(new XYPlotView(this), "tracks"))),
       close_(new QPushButton(this)) {
     auto* limit = new QWidget(this);
     limit_label_ = new QLabel(limit);
@@ -263,13 +256,13 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
     connect(limit_, &NumberField::valueEdited, this,
             [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
-    connect(track_choice_, &QComboBox::activated, this, &ComparisonView::rebuild);
-    connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::rebuild);
-    connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::rebuild);
-    keepTranslated(*this, [this] { retranslate(); });
+    connect(track_choice_, &QComboBox::activated, this, &ComparisonView::showAgain);
+    connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::showAgain);
+    connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::showAgain);
+    retranslate();
 }
 
-void ComparisonView::rebuild() {
+void ComparisonView::showAgain() {
     const OpenPassport* passport = document_.sets().passport();
     setVisible(passport != nullptr);
     if (!passport) {
@@ -293,11 +286,12 @@ void ComparisonView::rebuild() {
     }
     incomparable_->setVisible(!reasons.isEmpty());
     if (shown_) {
-        differences_->setContent(differenceHeaders(), differenceRows(differences, units_, theme_));
+        differences_->setContent(differenceHeaders(),
+                                 differenceRows(differences, units(), theme()));
         incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
         tracks_->setContent(trackPlot(*shown_, passport->passport,
                                       static_cast<TrackVariable>(track_choice_->currentIndex()),
-                                      units_));
+                                      units()));
     }
 }
 
@@ -315,7 +309,7 @@ void ComparisonView::retranslate() {
     setTexts(*track_choice_, {tr("Amplitude of the working wave"),
                               tr("Amplitude of the quadrature wave"), tr("Wave angle")});
     close_->setText(tr("Close the passport"));
-    rebuild();
+    showAgain();
 }
 
 }  // namespace vybeg::ui

@@ -5,10 +5,6 @@
 #include "ui/plots/plot_view.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/values/recording_set.h"
-#include "ui/widgets/theme.h"
-#include "ui/words/display_units.h"
-
-#include <QWidget>
 
 #include <memory>
 #include <utility>
@@ -25,45 +21,20 @@ class NumberField;
 class QuantityTable;
 class RoundView;
 class WarningList;
-class XYPlotView;
 
 // What a part of the page Resonator shows of an identification.
-class OutcomeView : public QWidget {
-    Q_OBJECT
-
+class OutcomeView : public MeasuredPage {
 public:
-    using QWidget::QWidget;
+    using MeasuredPage::MeasuredPage;
 
     // Null: the set is not identified yet.
     void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
         shown_ = std::move(outcome);
-        rebuild();
+        showAgain();
     }
-    void setUnits(const DisplayUnits& units) {
-        units_ = units;
-        rebuild();
-    }
-    void setTheme(const Theme& theme);
-
-signals:
-    void exportWanted(const Figure& figure);
 
 protected:
-    virtual void rebuild() = 0;
-    // A plot in the view's theme; its export is exportWanted().
-    template <class Plot>
-    Plot* withPlot(Plot* plot) {
-        plots_.push_back(plot);
-        connect(plot, &PlotView::exportWanted, this, &OutcomeView::exportWanted);
-        return plot;
-    }
-
     std::shared_ptr<const ResonatorOutcome> shown_;
-    DisplayUnits units_;
-    Theme theme_ = lightTheme();
-
-private:
-    std::vector<PlotView*> plots_;
 };
 
 // The parameters of the resonator, of the free model its modes, with what their uncertainties hold;
@@ -85,8 +56,8 @@ signals:
     void calibrationChosen(const QString& offer, const vybeg::ui::FoundCalibration& found);
 
 private:
-    void rebuild() override;
-    void retranslate();
+    void showAgain() override;
+    void retranslate() override;
     static QString modesTitle(const ResonatorFit& fit);
 
     std::vector<ParameterLimit> limits_;
@@ -112,13 +83,13 @@ class FiguresView : public OutcomeView {
 public:
     explicit FiguresView(QWidget* parent = nullptr);
 
-    FigureSource figures() const;
+    FigureSource figures() const override;
     QWidget* balance() const { return balance_; }
 
 private:
-    void rebuild() override;
+    void showAgain() override;
     void showBalance();
-    void retranslate();
+    void retranslate() override;
 
     QLabel* hint_;
     QWidget* plots_;
@@ -141,8 +112,8 @@ public:
     explicit ComparisonView(Document& document, QWidget* parent = nullptr);
 
 private:
-    void rebuild() override;
-    void retranslate();
+    void showAgain() override;
+    void retranslate() override;
 
     Document& document_;
     QLabel* passport_;

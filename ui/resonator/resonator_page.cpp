@@ -20,9 +20,9 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       document_(document),
       set_(new SetPanel(document, this)),
       state_(sentence(this, "state")),
-      numbers_(new NumbersView(this)),
-      figures_(new FiguresView(this)),
-      comparison_(new ComparisonView(document, this)) {
+      numbers_(withPart(new NumbersView(this))),
+      figures_(withPart(new FiguresView(this))),
+      comparison_(withPart(new ComparisonView(document, this))) {
     balance_tab_ = numbers_->addTab(figures_->balance());
     comparison_tab_ = numbers_->addTab(comparison_);
     // The sets, their numbers, and the figures.
@@ -35,8 +35,6 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     auto* figures = scrolled(fill(new QVBoxLayout, {LayoutPart(figures_, 1)}));
     figures->setMinimumWidth(least_figures_width);
     fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(middle), 5}, {figures, 2}});
-    connect(figures_, &FiguresView::exportWanted, this, &ResonatorPage::exportWanted);
-    connect(comparison_, &ComparisonView::exportWanted, this, &ResonatorPage::exportWanted);
     connect(numbers_, &NumbersView::calibrationChosen, this, &ResonatorPage::calibrate);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
@@ -72,20 +70,6 @@ void ResonatorPage::showTabs() {
             tabs.setCurrentIndex(tab);
         }
     }
-}
-
-void ResonatorPage::setUnits(const DisplayUnits& units) {
-    numbers_->setUnits(units);
-    figures_->setUnits(units);
-    comparison_->setUnits(units);
-}
-
-void ResonatorPage::setTheme(const Theme& theme) {
-    MeasuredPage::setTheme(theme);
-    numbers_->setTheme(theme);
-    figures_->setTheme(theme);
-    comparison_->setTheme(theme);
-    refresh();
 }
 
 FigureSource ResonatorPage::figures() const {

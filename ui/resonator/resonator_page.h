@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 
 class QLabel;
 
@@ -21,8 +21,6 @@ class ResonatorPage : public MeasuredPage {
 public:
     explicit ResonatorPage(Document& document, QWidget* parent = nullptr);
 
-    void setUnits(const DisplayUnits& units) override;
-    void setTheme(const Theme& theme) override;
     // Opens the comparison.
     void showComparison();
 
@@ -30,6 +28,7 @@ public:
 
 private:
     void refresh();
+    void showAgain() override { refresh(); }
     void retranslate() override;
     void showTabs();
     void rebuild();

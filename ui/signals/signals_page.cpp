@@ -1,7 +1,6 @@
 #include "ui/signals/signals_page.h"
 
 #include "ui/document/document.h"
-#include "ui/signals/signal_stack.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"

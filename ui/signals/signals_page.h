@@ -1,9 +1,9 @@
 #pragma once
 
 #include "ui/document/background_jobs.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/plots/track_view.h"
-#include "ui/signals/signal_picture.h"
+#include "ui/signals/signal_stack.h"
 #include "ui/values/ids.h"
 
 #include <QTimer>
@@ -14,8 +14,6 @@
 class QLabel;
 
 namespace vybeg::ui {
-
-class SignalStack;
 
 // The plots of the signals; time range, zoom history, tracker and cursors are those of the view of
 // the tracks.

@@ -3,7 +3,6 @@
 #include "core/analysis/setting_table.h"
 #include "core/sweep/window_sweep.h"
 #include "ui/document/document.h"
-#include "ui/plots/xy_plot_view.h"
 #include "ui/sweep/shown_sweep.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"

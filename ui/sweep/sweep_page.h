@@ -2,13 +2,12 @@
 
 #include "core/sweep/window_sweep.h"
 #include "ui/document/background_jobs.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/sweep/shown_sweep.h"
 #include "ui/values/ids.h"
 
 #include <QLineEdit>
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -48,7 +47,6 @@ protected:
 
 class Document;
 class QuantityTable;
-class XYPlotView;
 struct RecordingEntry;
 
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against

@@ -54,17 +54,6 @@ void setWords(QWidget& widget, const QString& name, const QString& tip) {
     widget.setToolTip(tip);
 }
 
-void placeByWidth(QWidget& widget, int wide, bool at_first, std::function<void(bool)> place) {
-    place(at_first);
-    whenChanged(widget, {QEvent::Resize},
-                [&widget, wide, is_wide = at_first, place = std::move(place)]() mutable {
-                    if (is_wide != (widget.width() >= wide)) {
-                        is_wide = !is_wide;
-                        place(is_wide);
-                    }
-                });
-}
-
 void addParts(QBoxLayout& layout, LayoutParts parts) {
     for (const LayoutPart& part : parts) {
         if (part.widget) {
@@ -100,9 +89,9 @@ void makeSentence(QLabel& label) {
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
 }
 
-void setTexts(QComboBox& box, const QStringList& texts, int first) {
+void setTexts(QComboBox& box, const QStringList& texts) {
     for (int k = 0; k < texts.size(); ++k) {
-        box.setItemText(first + k, texts[k]);
+        box.setItemText(k, texts[k]);
     }
 }
 

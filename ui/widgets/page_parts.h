@@ -31,8 +31,6 @@ Widget* withName(Widget* widget, const char* name) {
 
 // What a screen reader calls a widget, and its tool tip.
 void setWords(QWidget& widget, const QString& name, const QString& tip);
-// Calls `place` with whether a widget is so wide: with `at_first` now, then where that changes.
-void placeByWidth(QWidget& widget, int wide, bool at_first, std::function<void(bool)> place);
 
 // A part of a row or column of a layout: a widget, another layout, or room that grows.
 struct LayoutPart {
@@ -72,8 +70,8 @@ QLabel* sentence(QWidget* parent, const char* name, const QMargins& around = aro
 void makeSentence(QLabel& label);
 // A sentence in the middle of a page that has nothing to show yet; the layout centres the label.
 QLabel* hint(QWidget* parent, const char* name);
-// The texts of a box's entries, from the `first` on.
-void setTexts(QComboBox& box, const QStringList& texts, int first = 0);
+// The texts of a box's entries.
+void setTexts(QComboBox& box, const QStringList& texts);
 
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);

@@ -187,10 +187,11 @@ int QuantityTable::leastWidth(int column) const {
 }
 
 // As high as its texts in their columns.
-int QuantityTable::headerHeight() const {
+int QuantityTable::headerHeight(const std::vector<int>& widths) const {
     int texts = 0;
     for (int column = 0; column < headers_.size(); ++column) {
-        const QRect room(0, 0, columnWidth(column + 1) - header_margin / 2, QWIDGETSIZE_MAX);
+        const int width = widths[static_cast<std::size_t>(column) + 1];
+        const QRect room(0, 0, width - header_margin / 2, QWIDGETSIZE_MAX);
         texts = std::max(
             texts, fontMetrics().boundingRect(room, Qt::TextWordWrap, headers_[column]).height());
     }
@@ -274,7 +275,7 @@ void QuantityTable::layOut() {
     if (const int excess = std::accumulate(widths.begin(), widths.end(), -room); excess > 0) {
         // Names that keep their width may spare more lines than the cells beside them then need.
         const auto height = [this](const std::vector<int>& of) {
-            int sum = 0;
+            int sum = headerHeight(of);
             for (int row = 0; row < rowCount(); ++row) {
                 sum += heightOf(row, of);
             }
@@ -293,7 +294,7 @@ void QuantityTable::layOut() {
         setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
         total += columnWidth(column);
     }
-    int height = headerHeight();
+    int height = headerHeight(widths);
     horizontalHeader()->setFixedHeight(height);
     for (int row = 0; row < rowCount(); ++row) {
         setRowHeight(row, heightOf(row, widths));

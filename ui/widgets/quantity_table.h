@@ -70,7 +70,7 @@ private:
     void layOut();
     void layOutAround();
     int leastWidth(int column) const;
-    int headerHeight() const;
+    int headerHeight(const std::vector<int>& widths) const;
     void narrow(std::vector<int>& widths, int excess, std::size_t first) const;
     int heightOf(int row, const std::vector<int>& widths) const;
     void setConcise(bool concise);

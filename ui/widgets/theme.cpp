@@ -145,6 +145,10 @@ bool isDark(const QPalette& palette) {
            luminance(palette.color(QPalette::WindowText));
 }
 
+Theme themeOf(const QPalette& palette) {
+    return makeTheme(isDark(palette));
+}
+
 Theme applyTheme(QApplication& app, ThemeMode mode) {
     // Only for another style, because setting a style resets the palette to that of the style.
     if (!dynamic_cast<FramedStyle*>(QApplication::style())) {
@@ -155,7 +159,7 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
         QApplication::setPalette(QPalette());  // an empty palette resolves to the desktop's
         dark = isDark(QApplication::palette());
     }
-    const Theme theme = dark ? darkTheme() : lightTheme();
+    const Theme theme = makeTheme(dark);
     app.setPalette(theme.palette);
     return theme;
 }
@@ -165,8 +169,11 @@ CurveStyle curveStyle(int index) {
     // that separates neighbours for every kind of colour blindness.
     static constexpr std::array<const char*, curve_colors> colors{"#0072b2", "#d55e00", "#009e73",
                                                                   "#cc79a7", "#e69f00", "#56b4e9"};
-    return {QColor(colors[static_cast<std::size_t>(index % curve_colors)]),
-            index / curve_colors % curve_shades};
+    const int place = index < 0 ? -1 - index : index;
+    const int color = place % curve_colors;
+    return {
+        QColor(colors.at(static_cast<std::size_t>(index < 0 ? curve_colors - 1 - color : color))),
+        place / curve_colors % curve_shades};
 }
 
 QColor readable(const QColor& color, const Theme& theme, int shade) {
@@ -190,6 +197,11 @@ QColor readable(const QColor& color, const Theme& theme, int shade) {
     const double last = contrast(theme.dark ? Qt::white : Qt::black, theme.panelBackground);
     reach(first * std::pow(last / first, 0.8 * (shade % curve_shades) / (curve_shades - 1)));
     return shown;
+}
+
+QColor translucent(QColor color, double part) {
+    color.setAlphaF(static_cast<float>(part));
+    return color;
 }
 
 double contrast(const QColor& a, const QColor& b) {

@@ -51,12 +51,15 @@ Theme darkTheme();
 
 // Whether a palette is a dark one: the luminance of its window against that of its text.
 bool isDark(const QPalette& palette);
+// The theme that goes with a palette.
+Theme themeOf(const QPalette& palette);
 
 // Fusion style and the palette of the mode; `system` uses the palette of the desktop. Returns the
 // theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
-// The index-th style (any index >= 0): colours change fastest, then shades.
+// The index-th style: colours change fastest, then shades. -1 is the last colour, -2 the one before
+// it, for curves that leave the first colours to others.
 CurveStyle curveStyle(int index);
 
 // The colour with its lightness changed until it is readable on the theme's panels: contrast 3.2 in
@@ -66,6 +69,9 @@ QColor readable(const QColor& color, const Theme& theme, int shade = 0);
 // The colour of an ink; `style`: number of curveStyle() for Ink::style, in another shade for
 // `shades` > 0.
 QColor inkColor(Ink ink, int style, const Theme& theme, int shades = 0);
+
+// A colour of which a part, 0 to 1, is seen over what is below it.
+QColor translucent(QColor color, double part);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.
 double contrast(const QColor& a, const QColor& b);

@@ -4,8 +4,6 @@
 #include "ui/document/document.h"
 #include "ui/window/file_questions.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace vybeg::ui {

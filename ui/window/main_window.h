@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/commands.h"

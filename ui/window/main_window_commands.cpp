@@ -1,13 +1,12 @@
 // The table of all commands of the window.
 
 #include "ui/panels/ledger.h"
-#include "ui/plots/figure.h"
+#include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_content.h"
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
-#include "ui/window/axis_limits.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
@@ -34,6 +33,19 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
     };
     const auto plots = [&w] { return !w.document_.analyses().empty(); };
     const auto figures = [&w] { return !w.figures().plots.isEmpty(); };
+    const auto panel = [&w](auto MainWindow::*wanted) {
+        return [&w, wanted](bool shown) {
+            w.*wanted = shown;
+            w.showPanels();
+        };
+    };
+    const auto units = [&w](bool DisplayUnits::*member) {
+        return [&w, member](bool on_now) {
+            DisplayUnits shown = w.tracks_->units();
+            shown.*member = on_now;
+            w.setUnits(shown);
+        };
+    };
     // The order of the tabs gives Ctrl+1, Ctrl+2, ...
     const auto page = [&w](Page shown, const char* text, const char* tip,
                            std::function<bool()> enabled = {}) {
@@ -233,21 +245,13 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
          .text = QT_TR_NOOP("Settings of the anal&ysis"),
          .tip = QT_TR_NOOP("The settings beside the plots; without them the plots are wider"),
          .keys = {QKeySequence(Qt::Key_F9)},
-         .switched =
-             [&w](bool shown) {
-                 w.sidebar_wanted_ = shown;
-                 w.showPanels();
-             }},
+         .switched = panel(&MainWindow::sidebar_wanted_)},
         {.id = Command::wave,
          .text = QT_TR_NOOP("Wa&ve"),
          .tip = QT_TR_NOOP("The waves at the mouse beside the plots, as figures: the "
                            "amplitude around the rim, D against C"),
          .keys = {QKeySequence(Qt::Key_W)},
-         .switched =
-             [&w](bool shown) {
-                 w.wave_wanted_ = shown;
-                 w.showPanels();
-             }},
+         .switched = panel(&MainWindow::wave_wanted_)},
         {.id = Command::fitted_wave,
          .text = QT_TR_NOOP("Fitted wave"),
          .tip = QT_TR_NOOP("The wave of the chosen analysis over the samples of the page "
@@ -255,20 +259,10 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
          .switched = [&w](bool shown) { w.signals_->setWave(shown); }},
         {.id = Command::sigma_bands,
          .text = QT_TR_NOOP("One-&sigma bands"),
-         .switched =
-             [&w](bool on_now) {
-                 DisplayUnits units = w.tracks_->units();
-                 units.sigma_bands = on_now;
-                 w.setUnits(units);
-             }},
+         .switched = units(&DisplayUnits::sigma_bands)},
         {.id = Command::log_a_A,
          .text = QT_TR_NOOP("&Log axis for a_A"),
-         .switched =
-             [&w](bool on_now) {
-                 DisplayUnits units = w.tracks_->units();
-                 units.log_a_A = on_now;
-                 w.setUnits(units);
-             }},
+         .switched = units(&DisplayUnits::log_a_A)},
         {.id = Command::axis_limits,
          .text = QT_TR_NOOP("A&xis limits…"),
          .tip =

@@ -1,14 +1,19 @@
 #pragma once
 
+#include "core/track/track.h"
 #include "ui/document/log_tracks.h"
-#include "ui/plots/measured_page.h"
+#include "ui/plots/plot_view.h"
 #include "ui/values/ids.h"
 
+#include <QDialog>
+
 class QLabel;
+class QPushButton;
 
 namespace vybeg::ui {
 
 class Document;
+class NumberField;
 class TrackView;
 
 // The plots of all shown analyses, as the document has them, and of the tracks of logs, whose names
@@ -43,5 +48,28 @@ private:
     TrackView* tracks_;
     AnalysisId chosen_ = AnalysisId::none;
 };
+
+// Asks for the limits of the value axis of one plot of the tracks, displayed units: an empty field
+// leaves that end to the data.
+class AxisLimitsDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWidget* parent);
+
+private:
+    void check();
+    void apply();
+
+    TrackView& tracks_;
+    SlowVariable variable_;
+    NumberField* lower_;
+    NumberField* upper_;
+    QLabel* fault_;
+    QPushButton* ok_;
+};
+
+// Of the chosen plot; nothing without one.
+void askForAxisLimits(TrackView& tracks, QWidget* window);
 
 }  // namespace vybeg::ui

@@ -6,10 +6,10 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
-#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vybeg::ui {
 
@@ -115,8 +115,22 @@ QString findingText(const Finding& finding) {
            diagnosticText(finding.diagnostic) + restText(finding);
 }
 
+QStringList findingTexts(const std::vector<Finding>& findings) {
+    QStringList texts;
+    std::ranges::transform(findings, std::back_inserter(texts), findingText);
+    return texts;
+}
+
 QString moreText(std::size_t count) {
     return FindingWords::tr("%n more", nullptr, static_cast<int>(count));
+}
+
+QStringList worstOf(QStringList sentences) {
+    if (const auto count = static_cast<std::size_t>(sentences.size()); count > most_shown) {
+        sentences.resize(most_shown);
+        sentences << moreText(count - most_shown);
+    }
+    return sentences;
 }
 
 QString reasonText(const Reason& reason) {

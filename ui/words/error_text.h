@@ -8,6 +8,9 @@
 #include "core/track/events.h"
 
 #include <QString>
+#include <QStringList>
+
+#include <vector>
 
 namespace vybeg::ui {
 
@@ -16,8 +19,11 @@ QString errorText(const Error& error);
 QString diagnosticText(const Diagnostic& diagnostic);
 // As english(finding) of core/base/diagnostic.h.
 QString findingText(const Finding& finding);
+QStringList findingTexts(const std::vector<Finding>& findings);
 // "4 more".
 QString moreText(std::size_t count);
+// Of sentences, the worst first, the most_shown worst and the number of the others.
+QStringList worstOf(QStringList sentences);
 // Empty for a number that is given.
 QString reasonText(const Reason& reason);
 

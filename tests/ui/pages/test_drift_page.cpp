@@ -10,7 +10,7 @@
 #include "ui/drift/drift_text.h"
 #include "ui/panels/file_list.h"
 #include "ui/panels/message_bar.h"
-#include "ui/plots/xy_plot_view.h"
+#include "ui/plots/plot_view.h"
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
 #include "ui/report/report_parts.h"

@@ -9,7 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/history/history_page.h"
 #include "ui/panels/message_bar.h"
-#include "ui/plots/xy_plot_view.h"
+#include "ui/plots/plot_view.h"
 #include "ui/window/file_commands.h"
 
 #include <QApplication>

@@ -6,7 +6,7 @@
 #include "tests/ui/resonator_runs.h"
 #include "ui/panels/ledger.h"
 #include "ui/panels/message_bar.h"
-#include "ui/plots/xy_plot_view.h"
+#include "ui/plots/plot_view.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/resonator_text.h"

@@ -3,7 +3,7 @@
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
 #include "ui/document/document.h"
-#include "ui/plots/xy_plot_view.h"
+#include "ui/plots/plot_view.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/words/display_units.h"
 

@@ -1,7 +1,7 @@
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
 #include "tests/ui/synthetic_analysis.h"
-#include "ui/plots/figure.h"
+#include "ui/plots/plot_stack.h"
 
 #include <QApplication>
 #include <QClipboard>

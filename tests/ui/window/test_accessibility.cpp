@@ -6,7 +6,7 @@
 #include "ui/charts/round_plot.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
-#include "ui/plots/xy_plot_view.h"
+#include "ui/plots/plot_view.h"
 #include "ui/window/export_dialogs.h"
 
 #include <QAbstractButton>

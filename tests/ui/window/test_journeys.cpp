@@ -9,10 +9,10 @@
 #include "ui/plots/track_view.h"
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/widgets/quantity_table.h"
-#include "ui/window/axis_limits.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
+#include "ui/window/tracks_page.h"
 
 #include <QApplication>
 #include <QClipboard>
