@@ -221,8 +221,7 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
         }
     }
     if (found) {
-        content.outcome = std::make_shared<ui::ResonatorOutcome>(
-            ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
+        content.outcome = std::make_shared<SetResult>(std::move(*found));
         return {};
     }
     if (found.error().code == ErrorCode::interrupted ||

@@ -53,6 +53,7 @@ struct RecordingRef {
     double seconds = 0;
     double rate_hz = 0;
     double f0_hz = 0;
+    int id = 0;  // by which a program's document knows it; 0: none
 
     std::string name() const { return path.filename().string(); }
 

@@ -257,7 +257,7 @@ void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date
 
 }  // namespace
 
-std::shared_ptr<const ResonatorOutcome> addableResult(const Document& document) {
+std::shared_ptr<const SetResult> addableResult(const Document& document) {
     const RecordingSet* set = document.sets().current();
     const auto outcome = set ? document.sets().outcome(*set) : nullptr;
     return outcome && !document.sets().outOfDate(*set, *outcome) ? outcome : nullptr;

@@ -48,7 +48,7 @@ void readHistory(const DatabaseJob& job, const std::optional<std::string>& gyro,
 void readResult(const DatabaseJob& job, std::int64_t id, Done<StoredResult> done);
 
 // The current set's result with the present recordings and settings; null: there is none.
-std::shared_ptr<const ResonatorOutcome> addableResult(const Document& document);
+std::shared_ptr<const SetResult> addableResult(const Document& document);
 // Asks under which gyro and date addableResult() goes into the database, and puts it there; then
 // calls `added`. `gyros`: those of the database, which are proposed.
 void askToAdd(const DatabaseJob& job, const QStringList& gyros, QWidget* window,

@@ -35,7 +35,7 @@ public:
     using QWidget::QWidget;
 
     // Null: the set is not identified yet.
-    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
+    void setOutcome(std::shared_ptr<const SetResult> outcome) {
         shown_ = std::move(outcome);
         rebuild();
     }
@@ -58,7 +58,7 @@ protected:
         return plot;
     }
 
-    std::shared_ptr<const ResonatorOutcome> shown_;
+    std::shared_ptr<const SetResult> shown_;
     DisplayUnits units_;
     Theme theme_ = lightTheme();
 

@@ -115,7 +115,7 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
 void ResonatorPage::refresh() {
     const RecordingSet* set = document_.sets().current();
     const bool same = (set ? document_.sets().outcome(*set) : nullptr) == shown_ &&
-                      (set ? set->kept.json : QJsonObject()) == kept_json_;
+                      (set ? set->kept : QJsonObject()) == kept_json_;
     if (same) {
         showState(set);
     } else {
@@ -126,15 +126,13 @@ void ResonatorPage::refresh() {
 void ResonatorPage::rebuild() {
     const RecordingSet* set = document_.sets().current();
     shown_ = set ? document_.sets().outcome(*set) : nullptr;
-    kept_json_ = set ? set->kept.json : QJsonObject();
+    kept_json_ = set ? set->kept : QJsonObject();
     kept_ = kept_json_.isEmpty()
                 ? SetResult{}
                 : read_saved_result(QJsonDocument(kept_json_).toJson().toStdString());
     showState(set);
     const bool from_session = !shown_ && !kept_json_.isEmpty() && kept_;
-    numbers_->setOutcome(
-        from_session ? std::make_shared<const ResonatorOutcome>(ResonatorOutcome{*kept_, {}, 0, {}})
-                     : shown_);
+    numbers_->setOutcome(from_session ? std::make_shared<const SetResult>(*kept_) : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
     showTabs();
@@ -148,7 +146,7 @@ void ResonatorPage::showState(const RecordingSet* set) {
         return;
     }
     const bool out_of_date = shown_ ? document_.sets().outOfDate(*set, *shown_)
-                                    : !kept_json_.isEmpty() && !set->kept.up_to_date;
+                                    : !kept_json_.isEmpty() && !set->kept_up_to_date;
     if (out_of_date) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme().warning, theme()).name(), tr("Out of date."),

@@ -94,7 +94,7 @@ class TestLogDialog : public QObject, private WindowTest {
             [&] { return sets().current() && sets().outcome(*sets().current()) != nullptr; },
             60000));
     }
-    const ResonatorOutcome& outcome() { return *sets().outcome(*sets().current()); }
+    const SetResult& outcome() { return *sets().outcome(*sets().current()); }
     QString state() { return childOf<QLabel>(*window_, "state").text(); }
 
     QByteArray one_channel_ = "t,X,Y\n";
