@@ -3,6 +3,7 @@
 #include "core/analysis/prepare.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
+#include "ui/values/recording_set.h"
 #include "ui/words/error_text.h"
 
 #include <QDir>
@@ -90,7 +91,7 @@ std::vector<RecordingId> RecordingStore::openOnce(const std::vector<RecordingRef
     std::vector<RecordingId> ids;
     const std::size_t before = recordings_.size();
     for (const RecordingRef& each : wanted) {
-        const QFileInfo file(QString::fromStdU16String(each.path.u16string()));
+        const QFileInfo file(pathText(each));
         const QString path = QDir::cleanPath(file.absoluteFilePath());
         const auto open = std::ranges::find_if(recordings_, [&](const RecordingEntry& entry) {
             return entry.path == path && entry.options == each.open;

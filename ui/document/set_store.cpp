@@ -44,7 +44,7 @@ bool isOf(const SetResult& outcome, const RecordingSet& set) {
 QStringList pathsOf(const MeasurementSet& set) {
     QStringList paths;
     for (const RecordingRef& recording : set.recordings) {
-        paths << QString::fromStdU16String(recording.path.u16string());
+        paths << pathText(recording);
     }
     return paths;
 }
@@ -82,9 +82,8 @@ QStringList absentFiles(const RecordingSet& set) {
 }
 
 MeasurementSet withRowFor(MeasurementSet listed, const QString& path, RecordingId id) {
-    const auto row = std::ranges::find_if(listed.recordings, [&path](const RecordingRef& each) {
-        return QString::fromStdU16String(each.path.u16string()) == path;
-    });
+    const auto row = std::ranges::find_if(
+        listed.recordings, [&path](const RecordingRef& each) { return pathText(each) == path; });
     if (row != listed.recordings.end()) {
         row->id = number(id);
     }

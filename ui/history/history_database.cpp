@@ -61,7 +61,7 @@ StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwis
     set.settings = settings && !settings->empty() ? settings->front() : otherwise;
     for (std::size_t k = 0; k < result.recordings.size(); ++k) {
         const RecordingRef& each = result.recordings[k];
-        const QString path = QString::fromStdU16String(each.path.u16string());
+        const QString path = pathText(each);
         if (!QFileInfo(path).isFile()) {
             stored.missing << path;
             continue;

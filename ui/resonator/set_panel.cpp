@@ -320,7 +320,7 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
     };
     if (set && isOfLogs(*set)) {
         for (const RecordingRef& log : set->listed->recordings) {
-            const QString path = QString::fromStdU16String(log.path.u16string());
+            const QString path = pathText(log);
             add(QString::fromStdString(log.name()), path, &log, SetTree::log_item)
                 ->setData(0, Qt::UserRole, path);
         }
@@ -356,7 +356,7 @@ void SetPanel::removeLog(const RecordingSet& set, const QString& path) {
     std::vector<RecordingRef> left;
     for (std::size_t k = 0; k < other.recordings.size(); ++k) {
         const RecordingRef& log = other.recordings[k];
-        if (QString::fromStdU16String(log.path.u16string()) != path) {
+        if (pathText(log) != path) {
             signal.push_back(other.settings.signal_of(k));
             left.push_back(log);
         }

@@ -176,13 +176,12 @@ QJsonObject rowToJson(int place, const RecordingRef& row, const SignalSettings& 
                       const QDir& folder) {
     IdentifySettings settings;
     settings.signal = signal;
-    QJsonObject json{
-        {place_key, place},
-        {signal_key, settingsToJson(identify_settings(), settings)},
-        {file_key, text(row.file)},
-        {path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
-        {options_key, optionsToJson(row.open)},
-        {others_key, textsToJson(row.others, &Others::value_type::second)}};
+    QJsonObject json{{place_key, place},
+                     {signal_key, settingsToJson(identify_settings(), settings)},
+                     {file_key, text(row.file)},
+                     {path_key, storedPath(pathText(row), folder)},
+                     {options_key, optionsToJson(row.open)},
+                     {others_key, textsToJson(row.others, &Others::value_type::second)}};
     describe(JsonWriter(json), row.conditions);
     return json;
 }
@@ -336,8 +335,9 @@ Result<RecordingSet> setFromJson(const QJsonObject& json, std::size_t recordings
 
 // `json` has the keys of a later version, which stay.
 QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& folder) {
-    const QJsonArray logs = listToJson(drift.logs, [&folder](const DriftLog& log) {
-        return QJsonObject{{path_key, storedPath(log.path, folder)}, {sha256_key, log.sha256}};
+    const QJsonArray logs = listToJson(drift.logs, [&folder](const RecordingRef& log) {
+        return QJsonObject{{path_key, storedPath(pathText(log), folder)},
+                           {sha256_key, text(log.sha256)}};
     });
     const QJsonObject settings = settingsToJson(drift_settings(), drift.settings);
     if (!logs.isEmpty() || !settings.isEmpty()) {
@@ -351,8 +351,10 @@ Result<DriftInput> driftFromJson(const QJsonObject& json, const QDir& folder) {
     auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
     DriftInput drift{{}, std::move(settings)};
     for (const auto& value : json[logs_key].toArray()) {
-        const QJsonObject log = value.toObject();
-        drift.logs.push_back({pathFromJson(log, folder), log[sha256_key].toString()});
+        const QJsonObject json_log = value.toObject();
+        RecordingRef& log = drift.logs.emplace_back();
+        log.path = pathFromJson(json_log, folder).toStdU16String();
+        log.sha256 = json_log[sha256_key].toString().toStdString();
     }
     return drift;
 }

@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace vybeg::ui {
@@ -187,7 +188,7 @@ void SessionKeeper::begin(Session session) {
     unknown_of_recordings_.clear();
     opening_ = true;
     keepAbsent(session);
-    for (const DriftLog& log : session.drift.logs) {
+    for (const RecordingRef& log : session.drift.logs) {
         hashes_of_logs_[log.path] = log.sha256;
     }
     wanted_ids_ = restoreSession(session, document_);
@@ -228,6 +229,10 @@ void SessionKeeper::keepAbsent(Session& session) {
         follow(options.channel_d_file);
         std::ranges::for_each(options.join, follow);
     };
+    const auto follow_row = [&](RecordingRef& row) {
+        follow_all(row.open);
+        row.path = present(pathText(row), QString::fromStdString(row.sha256)).toStdU16String();
+    };
     for (ClosedRecording& recording : session.recordings) {
         follow_all(recording.options);
         recording.path = present(recording.path, recording.sha256);
@@ -248,21 +253,13 @@ void SessionKeeper::keepAbsent(Session& session) {
         document_.report(message);
         recording.path.clear();
     }
-    for (DriftLog& log : session.drift.logs) {
-        log.path = present(log.path, log.sha256);
-    }
+    std::ranges::for_each(session.drift.logs, follow_row);
     for (RecordingSet& set : session.sets) {
-        if (!set.listed) {
-            continue;
+        if (set.listed) {
+            auto listed = std::make_shared<MeasurementSet>(*set.listed);
+            std::ranges::for_each(listed->recordings, follow_row);
+            set.listed = std::move(listed);
         }
-        auto listed = std::make_shared<MeasurementSet>(*set.listed);
-        for (RecordingRef& row : listed->recordings) {
-            follow_all(row.open);
-            row.path = present(QString::fromStdU16String(row.path.u16string()),
-                               QString::fromStdString(row.sha256))
-                           .toStdU16String();
-        }
-        set.listed = std::move(listed);
     }
 }
 
@@ -343,11 +340,11 @@ void SessionKeeper::compareHashesOfLogs() {
     if (!document_.drift().outcome()) {
         return;
     }
-    for (const DriftLog& log : document_.drift().logs()) {
+    for (const RecordingRef& log : document_.drift().logs()) {
         const auto stated = hashes_of_logs_.find(log.path);
-        if (stated != hashes_of_logs_.end() && !stated->second.isEmpty() &&
+        if (stated != hashes_of_logs_.end() && !stated->second.empty() &&
             stated->second != log.sha256) {
-            warnOfOtherFile(log.path);
+            warnOfOtherFile(pathText(log));
         }
     }
     hashes_of_logs_.clear();
@@ -398,7 +395,7 @@ QJsonObject SessionKeeper::content() const {
     for (ClosedRecording& recording : session.recordings) {
         recording.sha256.clear();
     }
-    for (DriftLog& log : session.drift.logs) {
+    for (RecordingRef& log : session.drift.logs) {
         log.sha256.clear();
     }
     session.current = -1;

@@ -11,8 +11,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace vybeg::ui {
@@ -92,8 +94,8 @@ private:
     // Recordings of the session that are not where they were, under negative ids. Without a path:
     // it is found.
     std::vector<ClosedRecording> absent_;
-    std::map<RecordingId, QString> hashes_;      // that the session states, by recording
-    std::map<QString, QString> hashes_of_logs_;  // likewise, by path
+    std::map<RecordingId, QString> hashes_;  // that the session states, by recording
+    std::map<std::filesystem::path, std::string> hashes_of_logs_;  // likewise, by path
     // Until the session that is being opened is computed.
     bool opening_ = false;
     Session wanted_;

@@ -40,6 +40,10 @@ struct RecordingSet {
     QJsonObject unknown;
 };
 
+inline QString pathText(const RecordingRef& recording) {
+    return QString::fromStdU16String(recording.path.u16string());
+}
+
 // Whether it has logs in place of recordings: they are the rows of `listed`.
 inline bool isOfLogs(const RecordingSet& set) {
     return set.listed && set.listed->settings.logs.given();
