@@ -161,9 +161,9 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
     if (request.list.empty()) {
-        return list_of_files("", request.inputs, {request.open, settings});
+        return list_of_files("", request.inputs, request.open, settings);
     }
-    auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
+    auto list = TRY(read_measurement_list(request.list, request.open, settings));
     warn(list.warnings);
     if (!request.set.empty()) {
         TRY(keep_set(list, "--set", request.set));

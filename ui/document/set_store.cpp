@@ -280,11 +280,11 @@ std::vector<SetId> SetStore::holding(RecordingId recording_id) const {
 }
 
 void SetStore::openList(const QString& path, const OpenOptions& options) {
-    ListDefaults defaults{options, {}};
-    defaults.settings.signal = settings_.settings();
-    defaults.settings.tolerance = settings_.tolerance();
-    const auto list =
-        read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(), defaults);
+    IdentifySettings settings;
+    settings.signal = settings_.settings();
+    settings.tolerance = settings_.tolerance();
+    const auto list = read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(),
+                                            options, settings);
     if (!list) {
         emit reported(errorMessage(list.error()));
         return;
