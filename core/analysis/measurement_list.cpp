@@ -389,6 +389,21 @@ Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
     return Reader(std::move(table), path.parent_path(), open, settings).read();
 }
 
+void leave_out(MeasurementSet& set, const std::function<bool(const RecordingRef&)>& which) {
+    std::vector<SignalSettings>& signals = set.settings.of_recordings;
+    for (std::size_t k = 0; k < set.recordings.size();) {
+        if (!which(set.recordings[k])) {
+            ++k;
+            continue;
+        }
+        const auto place = static_cast<std::ptrdiff_t>(k);
+        set.recordings.erase(set.recordings.begin() + place);
+        if (!signals.empty()) {
+            signals.erase(signals.begin() + place);
+        }
+    }
+}
+
 bool is_measurement_list(const std::filesystem::path& path) {
     const std::string ending = lower_text(path.extension().string());
     return (ending == ".csv" || ending == ".txt") && csv_has_name(path, "file", column_name);

@@ -94,6 +94,9 @@ Result<MeasurementList> list_of_folder(
     const std::filesystem::path& folder, const OpenOptions& open, const IdentifySettings& settings,
     const std::function<bool(const std::filesystem::path&)>& left_out);
 
+// Takes recordings out of a set, with their signal settings.
+void leave_out(MeasurementSet& set, const std::function<bool(const RecordingRef&)>& which);
+
 // Whether the recordings of a set have the same conditions, as far as the fit assumes it: gyro,
 // bias voltage, exchange of the amplifiers. Errors: conditions_differ.
 Status check_conditions(const MeasurementSet& set);

@@ -18,15 +18,11 @@ class QWidget;
 
 namespace vybeg::ui {
 
-// A stored result as a measurement list of one set, with its settings; `settings_known`: whether
-// they could be read from the result. Recordings that are not where they were are left out.
-struct StoredSet {
-    MeasurementList list;
-    QStringList missing;  // paths
-    bool settings_known = true;
-};
+// The settings of a stored result and of each of its recordings; nothing: they cannot be read.
+std::optional<IdentifySettings> settingsOf(const StoredResult& result);
 
-StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
+// Leaves out the recordings of a set that are not where they were; returns their paths.
+QStringList leaveOutMissing(MeasurementSet& set);
 
 // A job of a database of results in the background, which opens the file for itself, so that none
 // of them holds it. A message of the document names a wait for another program. Errors: those of

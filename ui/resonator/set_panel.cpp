@@ -352,19 +352,7 @@ QString SetPanel::noteOf(const RecordingSet& set) const {
 
 void SetPanel::removeLog(const RecordingSet& set, const QString& path) {
     MeasurementSet other = document_.sets().measured(set);
-    std::vector<SignalSettings> signal;
-    std::vector<RecordingRef> left;
-    for (std::size_t k = 0; k < other.recordings.size(); ++k) {
-        const RecordingRef& log = other.recordings[k];
-        if (pathText(log) != path) {
-            signal.push_back(other.settings.signal_of(k));
-            left.push_back(log);
-        }
-    }
-    if (!other.settings.of_recordings.empty()) {
-        other.settings.of_recordings = std::move(signal);
-    }
-    other.recordings = std::move(left);
+    leave_out(other, [&path](const RecordingRef& log) { return pathText(log) == path; });
     document_.sets().setLogs(set.id, other);
 }
 
