@@ -74,7 +74,8 @@ Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     TRY(check_drift_paths(request));
     DriftOutcome found{{}, request.settings, {}};
     for (const std::string& input : request.inputs) {
-        auto read = TRY(read_whole_angle_log(input, request.settings.reading, silent_job(stop)));
+        auto read = TRY(read_whole_angle_log(input, request.settings.open, request.settings.log,
+                                             silent_job(stop)));
         found.logs.push_back(std::move(read));
     }
     auto output = TRY(open_named(request.output, silent_job(stop)));

@@ -250,11 +250,11 @@ std::string identify_text(const SetResult& result) {
 
 // The recordings of the command line as one set, or that of the list.
 Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
-    const ListDefaults defaults{request.open, request.settings};
     if (request.list.empty()) {
-        return list_of_files(request.inputs.front(), request.inputs, defaults);
+        return list_of_files(request.inputs.front(), request.inputs, request.open,
+                             request.settings);
     }
-    auto list = TRY(read_measurement_list(request.list, defaults));
+    auto list = TRY(read_measurement_list(request.list, request.open, request.settings));
     log.warnings(list.warnings);
     if (!request.set.empty() || list.sets.size() > 1) {
         TRY(keep_set(list, "--set", request.set));

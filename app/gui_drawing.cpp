@@ -153,9 +153,9 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
     if (request.list.empty()) {
-        return list_of_files("", request.inputs, {request.open, settings});
+        return list_of_files("", request.inputs, request.open, settings);
     }
-    auto list = TRY(read_measurement_list(request.list, {request.open, settings}));
+    auto list = TRY(read_measurement_list(request.list, request.open, settings));
     warn(list.warnings);
     if (!request.set.empty()) {
         TRY(keep_set(list, "--set", request.set));
@@ -207,8 +207,7 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
         }
     }
     if (found) {
-        content.outcome = std::make_shared<ui::ResonatorOutcome>(
-            ui::ResonatorOutcome{std::move(*found), {}, 0, {}});
+        content.outcome = std::make_shared<SetResult>(std::move(*found));
         return {};
     }
     if (found.error().code == ErrorCode::interrupted ||

@@ -56,13 +56,13 @@ struct PhasorChoice {
 // whole turns.
 inline constexpr std::array log_angle_units{0.0, std::numbers::pi / 180, 1.0, 2 * std::numbers::pi};
 
-// Logs in place of recordings: what their columns are (column_wishes() of log_columns.h).
+// What the columns of logs are (column_wishes() of log_columns.h).
 struct LogChoice {
     std::string names;
     double rad_per_angle_unit = 0;  // one of log_angle_units
     PhasorChoice phasors;
 
-    // Otherwise the set has recordings.
+    // Logs in place of recordings.
     bool given() const { return !names.empty() || phasors.frame != PhasorFrame::none; }
     bool without_phase() const { return given() && phasors.frame == PhasorFrame::none; }
 

@@ -85,8 +85,9 @@ std::string option_like(const std::string& name) {
 
 class Reader {
 public:
-    Reader(CsvRows table, std::filesystem::path folder, const ListDefaults& defaults)
-        : table_(std::move(table)), folder_(std::move(folder)), defaults_(defaults) {}
+    Reader(CsvRows table, std::filesystem::path folder, const OpenOptions& open,
+           const IdentifySettings& settings)
+        : table_(std::move(table)), folder_(std::move(folder)), open_(open), settings_(settings) {}
 
     Result<MeasurementList> read() {
         TRY(name_columns());
@@ -188,7 +189,7 @@ private:
             }
             const auto [place, is_new] = places.emplace(name, rows_.size());
             if (is_new) {
-                list_.sets.push_back({name, {}, defaults_.settings});
+                list_.sets.push_back({name, {}, settings_});
                 rows_.emplace_back();
             }
             rows_[place->second].push_back(&row);
@@ -265,7 +266,7 @@ private:
     }
 
     Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
-        RecordingRef recording{table_.field(row, "file"), {}, defaults_.open};
+        RecordingRef recording{table_.field(row, "file"), {}, open_};
         if (recording.file.empty()) {
             return table_.invalid(row.line, "file",
                                   words(VYBEG_MESSAGE("Words", "no file is named")));
@@ -282,7 +283,7 @@ private:
         if (const Status together = check_options(recording.open); !together) {
             return refused(row.line, together.error());
         }
-        IdentifySettings settings = defaults_.settings;
+        IdentifySettings settings = settings_;
         if (has_window) {
             settings.windows.periods.reset();  // of the command line
         }
@@ -347,8 +348,9 @@ private:
     }
 
     CsvRows table_;
-    std::filesystem::path folder_;  // of the list
-    const ListDefaults& defaults_;
+    std::filesystem::path folder_;                  // of the list
+    const OpenOptions& open_;                       // where a row gives none
+    const IdentifySettings& settings_;              // likewise
     std::vector<std::vector<const CsvRow*>> rows_;  // of each set
     std::map<std::string, std::string> shared_;     // options of the set that is read
     MeasurementList list_;
@@ -381,9 +383,25 @@ std::string side_by_side(const MeasurementSet& set, auto text_of) {
 }  // namespace
 
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
-                                              const ListDefaults& defaults) {
+                                              const OpenOptions& open,
+                                              const IdentifySettings& settings) {
     auto table = TRY(read_csv(path, "file", column_name));
-    return Reader(std::move(table), path.parent_path(), defaults).read();
+    return Reader(std::move(table), path.parent_path(), open, settings).read();
+}
+
+void leave_out(MeasurementSet& set, const std::function<bool(const RecordingRef&)>& which) {
+    std::vector<SignalSettings>& signals = set.settings.of_recordings;
+    for (std::size_t k = 0; k < set.recordings.size();) {
+        if (!which(set.recordings[k])) {
+            ++k;
+            continue;
+        }
+        const auto place = static_cast<std::ptrdiff_t>(k);
+        set.recordings.erase(set.recordings.begin() + place);
+        if (!signals.empty()) {
+            signals.erase(signals.begin() + place);
+        }
+    }
 }
 
 bool is_measurement_list(const std::filesystem::path& path) {
@@ -392,7 +410,7 @@ bool is_measurement_list(const std::filesystem::path& path) {
 }
 
 Result<MeasurementList> list_of_folder(
-    const std::filesystem::path& folder, const ListDefaults& defaults,
+    const std::filesystem::path& folder, const OpenOptions& open, const IdentifySettings& settings,
     const std::function<bool(const std::filesystem::path&)>& left_out) {
     std::error_code failed;
     std::filesystem::directory_iterator entries(folder, failed);
@@ -417,7 +435,7 @@ Result<MeasurementList> list_of_folder(
                 {DiagnosticKind::formula_in_list,
                  {name, words(VYBEG_MESSAGE("Words", "a file of the folder"))}});
         }
-        list.sets.push_back({name, {{name, path, defaults.open, {}, {}}}, defaults.settings});
+        list.sets.push_back({name, {{name, path, open, {}, {}}}, settings});
     }
     return list;
 }

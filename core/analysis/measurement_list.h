@@ -53,6 +53,7 @@ struct RecordingRef {
     double seconds = 0;
     double rate_hz = 0;
     double f0_hz = 0;
+    int id = 0;  // by which a program's document knows it; 0: none
 
     std::string name() const { return path.filename().string(); }
 
@@ -72,20 +73,16 @@ struct MeasurementList {
     std::vector<Diagnostic> warnings;        // columns without effect, formulas
 };
 
-// Values for every recording whose row does not give them.
-struct ListDefaults {
-    OpenOptions open;
-    IdentifySettings settings;
-};
-
 // Reads a measurement list (help, files.html): a row for each recording, whose file is relative to
 // the list. A column named as an option of `analyze` or `identify` is that option; empty fields
 // leave the default. Window, model, tolerance, threads, gain ratio and what logs are
 // (log_settings()) hold for the whole set: one row suffices. In numbers a comma is a decimal sign;
-// in lists of numbers with semicolons, too. Checks all that can be checked without the recordings.
-// Errors: those of read_csv(); list_invalid.
+// in lists of numbers with semicolons, too. `open` and `settings`: of every recording whose row
+// does not give them. Checks all that can be checked without the recordings. Errors: those of
+// read_csv(); list_invalid.
 Result<MeasurementList> read_measurement_list(const std::filesystem::path& path,
-                                              const ListDefaults& defaults);
+                                              const OpenOptions& open,
+                                              const IdentifySettings& settings);
 
 // Whether a file is a measurement list: its first row has the column `file`. Of files with other
 // endings than .csv and .txt none is read.
@@ -94,8 +91,11 @@ bool is_measurement_list(const std::filesystem::path& path);
 // Every regular file of a folder as a set of its own, by name; without hidden files and those of
 // which `left_out` is true. Errors: file_read_failed.
 Result<MeasurementList> list_of_folder(
-    const std::filesystem::path& folder, const ListDefaults& defaults,
+    const std::filesystem::path& folder, const OpenOptions& open, const IdentifySettings& settings,
     const std::function<bool(const std::filesystem::path&)>& left_out);
+
+// Takes recordings out of a set, with their signal settings.
+void leave_out(MeasurementSet& set, const std::function<bool(const RecordingRef&)>& which);
 
 // Whether the recordings of a set have the same conditions, as far as the fit assumes it: gyro,
 // bias voltage, exchange of the amplifiers. Errors: conditions_differ.

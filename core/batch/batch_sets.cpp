@@ -111,10 +111,10 @@ Status keep_set(MeasurementList& list, const std::string& option, const std::str
 }
 
 MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
-                              const ListDefaults& defaults) {
-    MeasurementList list{{}, {{set, {}, defaults.settings}}, {}};
+                              const OpenOptions& open, const IdentifySettings& settings) {
+    MeasurementList list{{}, {{set, {}, settings}}, {}};
     for (const std::string& name : files) {
-        list.sets.front().recordings.push_back({name, name, defaults.open});
+        list.sets.front().recordings.push_back({name, name, open});
     }
     return list;
 }
@@ -176,18 +176,18 @@ std::string journal_of(const std::string& output) {
 }
 
 Result<MeasurementList> wanted_list(const BatchRequest& request) {
-    const ListDefaults defaults{request.open, request.settings};
     if (!is_folder(request.list)) {
-        return read_measurement_list(request.list, defaults);
+        return read_measurement_list(request.list, request.open, request.settings);
     }
-    return list_of_folder(request.list, defaults, [&request](const fs::path& path) {
+    const auto left_out = [&request](const fs::path& path) {
         // An output that is a file of another kind stays an input, which check_paths() keeps from
         // being replaced.
         return is_batch_table(path) || path.extension() == journal_of("") ||
                (!request.limits.empty() && same_file(path, request.limits)) ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));
-    });
+    };
+    return list_of_folder(request.list, request.open, request.settings, left_out);
 }
 
 Result<MeasurementList> FolderWatch::look() {
@@ -221,7 +221,7 @@ Result<MeasurementList> FolderWatch::look() {
         }
         list_ = path;
         Result<MeasurementList> list =
-            read_measurement_list(path, {request_.open, request_.settings});
+            read_measurement_list(path, request_.open, request_.settings);
         if (!list) {
             fault_ = list.error();
             continue;

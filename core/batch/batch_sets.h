@@ -50,7 +50,7 @@ Status keep_set(MeasurementList& list, const std::string& option, const std::str
 
 // A list of one set, of the recordings that a command line names.
 MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
-                              const ListDefaults& defaults);
+                              const OpenOptions& open, const IdentifySettings& settings);
 
 // All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
 // settings, limits, the files by size and time of change, and what else its result goes into;

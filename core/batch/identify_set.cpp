@@ -195,6 +195,7 @@ Status read_contents(OpenSet& open, std::stop_token stop) {
 
 Result<SetResult> identify_set(const OpenSet& open, const std::string& program,
                                const CompareOptions& compare, const JobControl& job) {
+    const double begun = job.now();
     Result<Identification> found = identification_of(open, job);
     for (const Recording& recording : open.recordings) {
         TRY(unchanged(recording));
@@ -214,6 +215,7 @@ Result<SetResult> identify_set(const OpenSet& open, const std::string& program,
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         result.set.recordings[k].f0_hz = result.identification.runs[k].f0_hz;
     }
+    result.seconds = job.now() - begun;
     return result;
 }
 

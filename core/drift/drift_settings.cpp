@@ -18,7 +18,7 @@ Row columns_row() {
          "What the columns are: t, theta, amplitude and quadrature effort, each with =COLUMN, a "
          "name or a number, where the file calls it otherwise, e.g. t,theta=angle (default: by "
          "their names)"},
-        [](auto& s) -> auto& { return s.reading.columns; },
+        [](auto& s) -> auto& { return s.log.names; },
         [](const std::string& from) -> Result<std::string> {
             TRY(check_log_columns(from));
             return from;
@@ -30,7 +30,7 @@ Row angle_unit_row() {
     return choice_row<DriftSettings>(
         {"angle-unit", "deg|rad|cyc",
          "Unit of theta where the file does not tell it; cyc: whole turns"},
-        [](auto& s) -> auto& { return s.reading.rad_per_angle_unit; },
+        [](auto& s) -> auto& { return s.log.rad_per_angle_unit; },
         std::array{std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
                    std::pair{"cyc", log_angle_units[3]}},
         "it is deg, rad or cyc");
@@ -59,10 +59,10 @@ Row pick_offs_row() {
 Row opening_row(const SettingRow<OpenOptions>& of_opening) {
     Row row{of_opening.name, of_opening.placeholder, of_opening.help};
     row.read = [read = of_opening.read](const std::string& from, DriftSettings& settings) {
-        return read(from, settings.reading.open);
+        return read(from, settings.open);
     };
     row.text = [text = of_opening.text](const DriftSettings& settings) {
-        return text(settings.reading.open);
+        return text(settings.open);
     };
     row.bounds = of_opening.bounds;
     return row;

@@ -12,7 +12,8 @@ namespace vybeg {
 
 // How whole-angle logs are read, and how well the channels behind their angle are known.
 struct DriftSettings {
-    LogReading reading;
+    OpenOptions open;
+    LogChoice log;        // without phasors
     Tolerance tolerance;  // kappa and skew alone
 
     friend bool operator==(const DriftSettings&, const DriftSettings&) = default;

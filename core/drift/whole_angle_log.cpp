@@ -202,9 +202,10 @@ Status check_log_columns(const std::string& columns) {
 }
 
 Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
-                                           const LogReading& reading, const JobControl& job) {
-    const auto wishes = TRY(column_wishes(reading.columns, log_roles()));
-    auto table = TRY(read_log(path, reading.open, wishes, job));
+                                           const OpenOptions& options, const LogChoice& choice,
+                                           const JobControl& job) {
+    const auto wishes = TRY(column_wishes(choice.names, log_roles()));
+    auto table = TRY(read_log(path, options, wishes, job));
     WholeAngleLog log;
     log.name = path.filename().string();
     auto sha256 = TRY(file_sha256(path, job));
@@ -217,7 +218,7 @@ Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
         LogColumn& column = table.columns[k];
         const std::string_view role = wishes[k].role.name;
         if (role == "theta") {
-            const auto factor = TRY(angle_factor(path, column, reading.rad_per_angle_unit));
+            const auto factor = TRY(angle_factor(path, column, choice.rad_per_angle_unit));
             for (const double value : column.values) {
                 log.theta.push_back(factor * value);
             }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/identify_settings.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
@@ -48,20 +49,13 @@ struct UnwrappedAngle {
 // and where the gap is too long for that a new stretch begins. An angle beyond one turn is whole.
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
 
-// How a whole-angle log is read.
-struct LogReading {
-    OpenOptions open;
-    std::string columns;            // t, theta, amplitude, quadrature as column_wishes() has them
-    double rad_per_angle_unit = 0;  // 0: by the file
-
-    friend bool operator==(const LogReading&, const LogReading&) = default;
-};
-
-// Whether a text is one of LogReading::columns. Errors: those of column_wishes().
+// Whether a text names the columns of a whole-angle log: t, theta, amplitude, quadrature as
+// column_wishes() has them. Errors: those of column_wishes().
 Status check_log_columns(const std::string& columns);
 
 // Errors: those of column_wishes(), read_log() and angle_factor().
 Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
-                                           const LogReading& reading, const JobControl& job);
+                                           const OpenOptions& options, const LogChoice& choice,
+                                           const JobControl& job);
 
 }  // namespace vybeg

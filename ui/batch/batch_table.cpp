@@ -189,20 +189,16 @@ void BatchTable::begin(std::shared_ptr<const MeasurementList> list) {
 }
 
 void BatchTable::add(const FinishedRow& finished) {
-    Row& row = rows_[finished.set];
-    row.fields = finished.fields;
-    row.warnings = finished.warnings;
-    row.error = finished.error;
-    const auto state = std::ranges::find(columns_, BatchColumnKind::state, &BatchColumn::kind);
-    row.state = row.fields[state->field] == "ok" ? State::done : State::failed;
-    const auto known =
-        finished.kept ? std::ranges::find(earlier_, row.fields, &Row::fields) : earlier_.end();
+    FinishedRow& row = rows_[finished.set];
+    row = finished;
+    const auto known = finished.kept ? std::ranges::find(earlier_, row.fields, &FinishedRow::fields)
+                                     : earlier_.end();
     if (known != earlier_.end()) {
         row.warnings = known->warnings;
         row.error = known->error;
     }
     ++finished_;
-    failed_ += row.state == State::failed ? 1 : 0;
+    failed_ += stateOf(row) == State::failed ? 1 : 0;
     const int place = static_cast<int>(finished.set);
     emit dataChanged(index(place, 0), index(place, columnCount() - 1));
 }
@@ -228,8 +224,9 @@ void BatchTable::retranslate() {
 
 bool BatchTable::isEmpty(int column) const {
     const std::size_t at = columns_[static_cast<std::size_t>(column)].field;
-    return std::ranges::all_of(
-        rows_, [at](const Row& row) { return at >= row.fields.size() || row.fields[at].empty(); });
+    return std::ranges::all_of(rows_, [at](const FinishedRow& row) {
+        return at >= row.fields.size() || row.fields[at].empty();
+    });
 }
 
 int BatchTable::rowCount(const QModelIndex& parent) const {
@@ -240,18 +237,27 @@ int BatchTable::columnCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(columns_.size());
 }
 
-QString BatchTable::field(const Row& row, std::size_t field) const {
+// By its status, which a row that is still to come lacks.
+BatchTable::State BatchTable::stateOf(const FinishedRow& row) const {
+    const auto state = std::ranges::find(columns_, BatchColumnKind::state, &BatchColumn::kind);
+    const QString status = field(row, state->field);
+    return status.isEmpty()                ? State::waiting
+           : status == QLatin1String("ok") ? State::done
+                                           : State::failed;
+}
+
+QString BatchTable::field(const FinishedRow& row, std::size_t field) const {
     return field < row.fields.size() ? QString::fromStdString(row.fields[field]) : QString();
 }
 
-double BatchTable::number(const Row& row, std::size_t field) const {
+double BatchTable::number(const FinishedRow& row, std::size_t field) const {
     const auto value =
         field < row.fields.size() ? parse_number(row.fields[field]) : std::optional<double>();
     return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 // Of a row of an earlier batch there is only the English sentence of its file.
-QString BatchTable::reasonText(const Row& row) const {
+QString BatchTable::reasonText(const FinishedRow& row) const {
     const auto reason = std::ranges::find(columns_, BatchColumnKind::reason, &BatchColumn::kind);
     if (row.error) {
         return errorText(*row.error);
@@ -262,15 +268,15 @@ QString BatchTable::reasonText(const Row& row) const {
     return text.isEmpty() || findings.empty() ? text : findingText(findings.front());
 }
 
-QString BatchTable::cellText(const Row& row, const BatchColumn& column) const {
+QString BatchTable::cellText(const FinishedRow& row, const BatchColumn& column) const {
     const QString text = field(row, column.field);
     switch (column.kind) {
         case BatchColumnKind::text: return text;
         case BatchColumnKind::reason: return reasonText(row);
         case BatchColumnKind::state:
-            return row.state == State::waiting ? tr("waiting")
-                   : row.state == State::done  ? tr("done")
-                                               : tr("no result");
+            return stateOf(row) == State::waiting ? tr("waiting")
+                   : stateOf(row) == State::done  ? tr("done")
+                                                  : tr("no result");
         case BatchColumnKind::verdict:
             return text == QLatin1String("changed")     ? verdictText(Verdict::changed)
                    : text == QLatin1String("unchanged") ? verdictText(Verdict::unchanged)
@@ -310,24 +316,24 @@ QString BatchTable::cellText(const Row& row, const BatchColumn& column) const {
     return {};
 }
 
-QVariant BatchTable::sortKey(const Row& row, const BatchColumn& column) const {
+QVariant BatchTable::sortKey(const FinishedRow& row, const BatchColumn& column) const {
     switch (column.kind) {
         case BatchColumnKind::quantity:
         case BatchColumnKind::number: return factorOf(column, units_) * number(row, column.field);
         case BatchColumnKind::state:
-            return row.state == State::failed ? 0.
-                   : row.state == State::done ? 1.
-                                              : std::numeric_limits<double>::quiet_NaN();
+            return stateOf(row) == State::failed ? 0.
+                   : stateOf(row) == State::done ? 1.
+                                                 : std::numeric_limits<double>::quiet_NaN();
         default: return cellText(row, column);
     }
 }
 
 // Words say the same as the colours.
-QColor BatchTable::color(const Row& row, const BatchColumn& column) const {
-    if (row.state == State::waiting) {
+QColor BatchTable::color(const FinishedRow& row, const BatchColumn& column) const {
+    if (stateOf(row) == State::waiting) {
         return theme_.mutedText;
     }
-    if (row.state == State::failed) {
+    if (stateOf(row) == State::failed) {
         return theme_.broken;
     }
     if (column.kind == BatchColumnKind::verdict) {
@@ -340,9 +346,9 @@ QColor BatchTable::color(const Row& row, const BatchColumn& column) const {
 }
 
 QStringList BatchTable::details(int row) const {
-    const Row& of = rows_[static_cast<std::size_t>(row)];
+    const FinishedRow& of = rows_[static_cast<std::size_t>(row)];
     QStringList lines;
-    if (of.state == State::failed) {
+    if (stateOf(of) == State::failed) {
         lines << reasonText(of);
     }
     return lines << findingTexts(findings_of(of.warnings));
@@ -353,7 +359,7 @@ QString BatchTable::detailText(int row) const {
 }
 
 QVariant BatchTable::data(const QModelIndex& index, int role) const {
-    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    const FinishedRow& row = rows_[static_cast<std::size_t>(index.row())];
     const BatchColumn& column = columns_[static_cast<std::size_t>(index.column())];
     switch (role) {
         case Qt::DisplayRole: return cellText(row, column);
@@ -398,7 +404,7 @@ QString BatchTable::tableText(const std::vector<int>& rows, const std::vector<in
     }
     lines << head.join(QLatin1Char('\t'));
     for (const int place : rows) {
-        const Row& row = rows_[static_cast<std::size_t>(place)];
+        const FinishedRow& row = rows_[static_cast<std::size_t>(place)];
         QStringList cells;
         for (const int k : columns) {
             const BatchColumn& column = columns_[static_cast<std::size_t>(k)];

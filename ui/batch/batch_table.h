@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,7 +85,7 @@ public:
     // All there is to say of a set: the reason, the warnings.
     QString detailText(int row) const;
     bool hasResult(int row) const {
-        return rows_[static_cast<std::size_t>(row)].state == State::done;
+        return stateOf(rows_[static_cast<std::size_t>(row)]) == State::done;
     }
     // Rows in that order with their headers, for a spreadsheet: all digits, a deviation and an
     // uncertainty are columns of their own.
@@ -99,26 +98,21 @@ public:
 
 private:
     enum class State : std::uint8_t { waiting, done, failed };
-    struct Row {
-        State state = State::waiting;
-        std::vector<std::string> fields;  // of RESULTS.csv
-        std::vector<NamedWarnings> warnings;
-        std::optional<Error> error;
-    };
 
-    double number(const Row& row, std::size_t field) const;
-    QString field(const Row& row, std::size_t field) const;
-    QString reasonText(const Row& row) const;
+    State stateOf(const FinishedRow& row) const;
+    double number(const FinishedRow& row, std::size_t field) const;
+    QString field(const FinishedRow& row, std::size_t field) const;
+    QString reasonText(const FinishedRow& row) const;
     QStringList details(int row) const;
-    QString cellText(const Row& row, const BatchColumn& column) const;
-    QVariant sortKey(const Row& row, const BatchColumn& column) const;
-    QColor color(const Row& row, const BatchColumn& column) const;
+    QString cellText(const FinishedRow& row, const BatchColumn& column) const;
+    QVariant sortKey(const FinishedRow& row, const BatchColumn& column) const;
+    QColor color(const FinishedRow& row, const BatchColumn& column) const;
 
     std::shared_ptr<const MeasurementList> list_;
     std::vector<BatchColumn> columns_ = batchColumns({});
-    std::vector<Row> rows_;
+    std::vector<FinishedRow> rows_;  // those to come with the fields of the list
     // Of the batch before: a row that is taken over has its warnings and its reason as there.
-    std::vector<Row> earlier_;
+    std::vector<FinishedRow> earlier_;
     int finished_ = 0;
     int failed_ = 0;
     DisplayUnits units_;

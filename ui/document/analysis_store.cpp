@@ -49,21 +49,26 @@ void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome
 
 }  // namespace
 
-std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, RecordingId id) {
-    std::vector<AnalysisWish> wishes;
+ClosedRecording asClosed(const RecordingEntry& entry, const std::vector<AnalysisEntry>& analyses) {
+    ClosedRecording closed;
+    closed.id = entry.id;
+    closed.path = entry.path;
+    closed.sha256 = entry.sha256;
+    closed.options = entry.options;
+    closed.analyses.emplace();
     for (std::size_t place = 0; place < analyses.size(); ++place) {
-        const AnalysisEntry& entry = analyses[place];
-        if (entry.recording_id == id) {
-            wishes.push_back({.settings = entry.requested,
-                              .name = entry.shown.name,
-                              .color = entry.shown.color,
-                              .shade = entry.shown.shade,
-                              .visible = entry.shown.visible,
-                              .live = entry.live,
-                              .place = static_cast<int>(place)});
+        const AnalysisEntry& analysis = analyses[place];
+        if (analysis.recording_id == entry.id) {
+            closed.analyses->push_back({.settings = analysis.requested,
+                                        .name = analysis.shown.name,
+                                        .color = analysis.shown.color,
+                                        .shade = analysis.shown.shade,
+                                        .visible = analysis.shown.visible,
+                                        .live = analysis.live,
+                                        .place = static_cast<int>(place)});
         }
     }
-    return wishes;
+    return closed;
 }
 
 const AnalysisEntry* AnalysisStore::find(AnalysisId id) const {

@@ -6,12 +6,15 @@
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
 
+#include <QJsonObject>
 #include <QObject>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
@@ -44,8 +47,21 @@ struct AnalysisWish {
     int place = 0;
 };
 
-// The wishes that give equal analyses of a recording again.
-std::vector<AnalysisWish> wishesOf(const std::vector<AnalysisEntry>& analyses, RecordingId id);
+// A recording that is not open, with all that brings it back as it was: of a session, closed, or
+// not found.
+struct ClosedRecording {
+    RecordingId id = RecordingId::none;
+    std::size_t place = 0;  // in the list
+    QString path;           // absolute
+    QString sha256;         // empty: not known yet
+    OpenOptions options;
+    std::optional<std::vector<AnalysisWish>> analyses;  // none: those of a new recording
+    std::vector<SetId> sets;                            // that hold it
+    QJsonObject unknown;  // keys in its session that this program does not know, written again
+};
+
+// An open recording as what brings it back with equal analyses.
+ClosedRecording asClosed(const RecordingEntry& entry, const std::vector<AnalysisEntry>& analyses);
 
 // The analyses of the open recordings, with names of their own, in the colours of their recordings.
 class AnalysisStore : public QObject {

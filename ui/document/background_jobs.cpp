@@ -9,7 +9,6 @@
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -212,21 +211,18 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
         std::move(done));
 }
 
-void BackgroundJobs::identify(int key, OpenSet open, Done<ResonatorOutcome> done) {
-    start<ResonatorOutcome>(
+void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
+    start<SetResult>(
         analyses_, {Kind::identification, key},
-        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<ResonatorOutcome> {
+        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SetResult> {
             QMetaObject::invokeMethod(
                 this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
             const JobControl job = reporting(key, ticket.stop);
             OpenSet read = open;
             TRY(read_contents(read, ticket.stop));
-            const double begun = job.now();
             auto result = TRY(identify_set(read, programName().toStdString(), {}, job));
-            ResonatorOutcome outcome{std::move(result), {}, job.now() - begun, {}};
-            const QByteArray saved = QByteArray::fromStdString(saved_result_json(outcome));
-            outcome.kept = QJsonDocument::fromJson(saved).object();
-            return outcome;
+            result.saved = saved_result_json(result);
+            return result;
         },
         std::move(done));
 }

@@ -52,23 +52,22 @@ void Document::reopen(RecordingId id, const OpenOptions& options) {
     if (!recordings_.find(id)) {
         return;
     }
-    const Closed before = whatCloses(id);
-    Closed after = before;
+    const ClosedRecording before = whatCloses(id);
+    ClosedRecording after = before;
     after.options = options;
     after.analyses.reset();
     steps_.change([name = recordings_.find(id)->name] { return tr("import of %1").arg(name); },
                   before, after,
-                  [this](const Closed& wanted) {
+                  [this](const ClosedRecording& wanted) {
                       close(wanted.id);
                       bringBack(wanted);
                   });
 }
 
-RecordingId Document::restore(const QString& path, const OpenOptions& options,
-                              std::vector<AnalysisWish> analyses) {
-    recordings_.open({path}, options);
+RecordingId Document::restore(const ClosedRecording& recording) {
+    recordings_.open({recording.path}, recording.options);
     const auto id = recordings_.all().back().id;
-    restored_[id] = std::move(analyses);
+    restored_[id] = recording.analyses.value_or(std::vector<AnalysisWish>());
     return id;
 }
 
@@ -83,18 +82,15 @@ void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& 
     }
 }
 
-Document::Closed Document::whatCloses(RecordingId id) {
+ClosedRecording Document::whatCloses(RecordingId id) {
     analyses_.keepPlaces();
-    const RecordingEntry& entry = *recordings_.find(id);
-    return {id,
-            recordings_.place(id),
-            entry.path,
-            entry.options,
-            wishesOf(analyses(), id),
-            sets_.holding(id)};
+    ClosedRecording closed = asClosed(*recordings_.find(id), analyses());
+    closed.place = recordings_.place(id);
+    closed.sets = sets_.holding(id);
+    return closed;
 }
 
-void Document::bringBack(const Closed& closed) {
+void Document::bringBack(const ClosedRecording& closed) {
     if (closed.analyses) {
         restored_[closed.id] = *closed.analyses;
     }

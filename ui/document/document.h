@@ -35,9 +35,9 @@ public:
         recordings_.open(paths, options);
     }
     void reopen(RecordingId id, const OpenOptions& options);
-    // Opens a recording of a session and computes its analyses; returns its id.
-    RecordingId restore(const QString& path, const OpenOptions& options,
-                        std::vector<AnalysisWish> analyses);
+    // Opens a recording of a session, under an id of its own, and computes its analyses; returns
+    // its id.
+    RecordingId restore(const ClosedRecording& recording);
     void closeRecording(
         RecordingId id);  // and its analyses; a step of undo, which reads the file again
     void setCurrentRecording(RecordingId id) { recordings_.setCurrent(id); }
@@ -133,17 +133,9 @@ signals:
     void settled(Topic topic);  // messages of this topic hold no more
 
 private:
-    // A recording that was closed: read again from its file, under the id that other steps know.
-    struct Closed {
-        RecordingId id = RecordingId::none;
-        std::size_t place = 0;
-        QString path;
-        OpenOptions options;
-        std::optional<std::vector<AnalysisWish>> analyses;  // none: those of a new recording
-        std::vector<SetId> sets;
-    };
-    Closed whatCloses(RecordingId id);
-    void bringBack(const Closed& closed);
+    ClosedRecording whatCloses(RecordingId id);
+    // Reads it again from its file, under the id that other steps know.
+    void bringBack(const ClosedRecording& closed);
     void close(RecordingId id);
     // The whole-angle logs among what was opened at once, when all of it is read: one step, in the
     // order in which it was chosen.

@@ -1,6 +1,7 @@
 #include "ui/document/drift_store.h"
 
 #include "core/drift/whole_angle_log.h"
+#include "ui/values/recording_set.h"
 
 #include <QFileInfo>
 
@@ -17,7 +18,7 @@ Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
     DriftOutcome outcome;
     outcome.settings = settings;
     for (const std::filesystem::path& path : paths) {
-        auto log = TRY(read_whole_angle_log(path, settings.reading, job));
+        auto log = TRY(read_whole_angle_log(path, settings.open, settings.log, job));
         outcome.logs.push_back(std::move(log));
     }
     auto drift = TRY(whole_angle_drift(outcome.logs, job, pick_offs(settings.tolerance)));
@@ -30,16 +31,13 @@ Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
 
 }  // namespace
 
-QString DriftLog::name() const {
-    return QFileInfo(path).fileName();
-}
-
 void DriftStore::open(const QStringList& paths) {
     DriftInput after = input_;
     for (const QString& path : paths) {
-        const QString absolute = QFileInfo(path).absoluteFilePath();
-        if (std::ranges::find(after.logs, absolute, &DriftLog::path) == after.logs.end()) {
-            after.logs.push_back({absolute, {}});
+        RecordingRef log;
+        log.path = QFileInfo(path).absoluteFilePath().toStdU16String();
+        if (std::ranges::count(after.logs, log.path, &RecordingRef::path) == 0) {
+            after.logs.push_back(std::move(log));
         }
     }
     if (after.logs.size() > input_.logs.size()) {
@@ -51,7 +49,7 @@ void DriftStore::open(const QStringList& paths) {
 void DriftStore::remove(const QStringList& paths) {
     DriftInput after = input_;
     const auto gone = std::erase_if(
-        after.logs, [&paths](const DriftLog& log) { return paths.contains(log.path); });
+        after.logs, [&paths](const RecordingRef& log) { return paths.contains(pathText(log)); });
     if (gone > 0) {
         const QString name = QFileInfo(paths.front()).fileName();
         const bool one = gone == 1;
@@ -95,8 +93,8 @@ void DriftStore::compute() {
     }
     key_ = key_ == 0 ? ids_.next() : key_;
     std::vector<std::filesystem::path> paths;
-    for (const DriftLog& log : input_.logs) {
-        paths.emplace_back(log.path.toStdU16String());
+    for (const RecordingRef& log : input_.logs) {
+        paths.push_back(log.path);
     }
     job_.run<DriftOutcome>(
         key_,
@@ -110,7 +108,7 @@ void DriftStore::take(Result<DriftOutcome>&& result) {
     computing_ = false;
     if (result) {
         for (std::size_t k = 0; k < input_.logs.size(); ++k) {
-            input_.logs[k].sha256 = QString::fromStdString(result->logs[k].sha256);
+            input_.logs[k].sha256 = result->logs[k].sha256;
         }
         outcome_ = std::make_shared<const DriftOutcome>(std::move(*result));
         emit settled(Topic::drift);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/measurement_list.h"
 #include "core/drift/drift_settings.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
@@ -16,19 +17,10 @@
 
 namespace vybeg::ui {
 
-// A whole-angle log in the window's list.
-struct DriftLog {
-    QString path;    // absolute
-    QString sha256;  // of what was read of it; empty: not known yet
-
-    QString name() const;
-
-    friend bool operator==(const DriftLog&, const DriftLog&) = default;
-};
-
-// Logs, and how they are read.
+// Whole-angle logs, and how they are read. Of a log: its absolute path and, once it is known, the
+// SHA-256 of what was read.
 struct DriftInput {
-    std::vector<DriftLog> logs;
+    std::vector<RecordingRef> logs;
     DriftSettings settings;
 };
 
@@ -41,7 +33,7 @@ public:
     DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
         : job_(job), ids_(ids), steps_(steps) {}
 
-    const std::vector<DriftLog>& logs() const { return input_.logs; }
+    const std::vector<RecordingRef>& logs() const { return input_.logs; }
     const DriftSettings& settings() const { return input_.settings; }
     // Steps of undo. A log that is open already stays as it is.
     void open(const QStringList& paths);

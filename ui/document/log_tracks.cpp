@@ -38,9 +38,9 @@ Track trackOf(const WholeAngleLog& log) {
     return track;
 }
 
-Result<Analysis> angleOf(const std::filesystem::path& path, const LogReading& reading,
+Result<Analysis> angleOf(const std::filesystem::path& path, const DriftSettings& settings,
                          const JobControl& job) {
-    const auto log = TRY(read_whole_angle_log(path, reading, job));
+    const auto log = TRY(read_whole_angle_log(path, settings.open, settings.log, job));
     Analysis analysis;
     analysis.settings.f0_hz = std::numeric_limits<double>::quiet_NaN();
     analysis.track = trackOf(log);
@@ -60,26 +60,21 @@ LogTracks::Input LogTracks::present() const {
     Input input;
     if (const RecordingSet* set = sets_.current(); set && isOfLogs(*set)) {
         const MeasurementSet measured = sets_.measured(*set);
-        input.choice = measured.settings.logs;
-        for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const RecordingRef& log = measured.recordings[k];
-            input.logs.push_back({log.path, log.open, measured.settings.signal_of(k)});
+        input.settings.signal = measured.settings.signal;
+        input.settings.of_recordings = measured.settings.of_recordings;
+        input.settings.logs = measured.settings.logs;
+        for (const RecordingRef& log : measured.recordings) {
+            input.logs.push_back({{}, log.path, log.open});
         }
     }
-    for (const DriftLog& log : drift_.logs()) {
-        input.whole_angle.emplace_back(log.path.toStdU16String());
+    for (const RecordingRef& log : drift_.logs()) {
+        input.whole_angle.push_back(log.path);
     }
     if (!input.whole_angle.empty()) {
-        input.reading = drift_.settings().reading;
+        input.drift.open = drift_.settings().open;
+        input.drift.log = drift_.settings().log;
     }
     return input;
-}
-
-Result<Analysis> LogTracks::analysisOf(const Log& log, const LogChoice& choice,
-                                       const JobControl& job) {
-    Settings settings;
-    static_cast<SignalSettings&>(settings) = log.signal;
-    return analyse_log(log.path, log.open, choice, settings, job);
 }
 
 Result<std::vector<ShownAnalysis>> LogTracks::tracksOf(const Input& input, const JobControl& job) {
@@ -94,11 +89,14 @@ Result<std::vector<ShownAnalysis>> LogTracks::tracksOf(const Input& input, const
         }
         return {};
     };
-    for (const Log& log : input.logs) {
-        TRY(add(log.path, analysisOf(log, input.choice, job)));
+    for (std::size_t k = 0; k < input.logs.size(); ++k) {
+        const RecordingRef& log = input.logs[k];
+        Settings settings;
+        static_cast<SignalSettings&>(settings) = input.settings.signal_of(k);
+        TRY(add(log.path, analyse_log(log.path, log.open, input.settings.logs, settings, job)));
     }
     for (const std::filesystem::path& path : input.whole_angle) {
-        TRY(add(path, angleOf(path, input.reading, job)));
+        TRY(add(path, angleOf(path, input.drift, job)));
     }
     return tracks;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
-#include "core/drift/whole_angle_log.h"
-#include "core/recording/samples/open_options.h"
+#include "core/analysis/measurement_list.h"
+#include "core/drift/drift_settings.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/drift_store.h"
 #include "ui/document/set_store.h"
@@ -32,25 +32,15 @@ signals:
     void changed();
 
 private:
-    // A log of the set.
-    struct Log {
-        std::filesystem::path path;
-        OpenOptions open;
-        SignalSettings signal;
-
-        friend bool operator==(const Log&, const Log&) = default;
-    };
-    // What the tracks follow from.
+    // What the tracks follow from, and nothing else.
     struct Input {
-        std::vector<Log> logs;
-        LogChoice choice;
+        std::vector<RecordingRef> logs;  // of the set: paths and options
+        IdentifySettings settings;       // of these: signals and columns
         std::vector<std::filesystem::path> whole_angle;
-        LogReading reading;
+        DriftSettings drift;  // of those, how they are read
 
         friend bool operator==(const Input&, const Input&) = default;
     };
-    static Result<Analysis> analysisOf(const Log& log, const LogChoice& choice,
-                                       const JobControl& job);
     static Result<std::vector<ShownAnalysis>> tracksOf(const Input& input, const JobControl& job);
     Input present() const;
     void follow();

@@ -1,10 +1,9 @@
 #include "ui/document/measured_set.h"
 
-#include <QDir>
-#include <QFileInfo>
-
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace vybeg::ui {
@@ -19,21 +18,17 @@ IdentifySettings settingsOfPanel(const SettingsModel& settings) {
     return own;
 }
 
-RecordingRef rowOf(const RecordingEntry& entry) {
+RecordingRef refOf(const RecordingEntry& entry) {
     return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
 }
 
 // Ids of the recordings of all sets of recordings in their order; those that are not open yet are
 // opened together.
 std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
-    std::vector<RecordingToOpen> wanted;
+    std::vector<RecordingRef> wanted;
     for (const MeasurementSet& set : list.sets) {
-        if (set.settings.logs.given()) {
-            continue;
-        }
-        for (const RecordingRef& row : set.recordings) {
-            const QString path = QString::fromStdU16String(row.path.u16string());
-            wanted.push_back({QDir::cleanPath(QFileInfo(path).absoluteFilePath()), row.open});
+        if (!set.settings.logs.given()) {
+            wanted.insert(wanted.end(), set.recordings.begin(), set.recordings.end());
         }
     }
     return recordings.openOnce(wanted);
@@ -55,29 +50,27 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     MeasurementSet measured;
     measured.name = set.name.toStdString();
     measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
+    measured.settings.of_recordings.clear();
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
     if (isOfLogs(set)) {
-        if (set.listed->by_panel) {
+        if (set.by_panel) {
             measured.settings.tolerance = settings.tolerance();
         }
-        for (const auto& log : set.listed->members) {
-            measured.recordings.push_back(log.second.row);
-            of_each.push_back(set.listed->by_panel
-                                  ? byPanel(log.second.signal, measured.settings.logs, settings)
-                                  : log.second.signal);
+        measured.recordings = set.listed->recordings;
+        for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
+            const SignalSettings& signal = set.listed->settings.signal_of(k);
+            of_each.push_back(set.by_panel ? byPanel(signal, measured.settings.logs, settings)
+                                           : signal);
         }
     }
     for (const RecordingId id : set.recordings) {
-        const ListedMember* listed = nullptr;
-        if (set.listed) {
-            const auto found = set.listed->members.find(id);
-            listed = found == set.listed->members.end() ? nullptr : &found->second;
-        }
+        const std::optional<std::size_t> row = rowOf(set, id);
         const RecordingEntry& entry = *recordings.find(id);
-        measured.recordings.push_back(listed ? listed->row : rowOf(entry));
+        measured.recordings.push_back(row ? set.listed->recordings[*row] : refOf(entry));
+        measured.recordings.back().id = number(id);
         measured.recordings.back().sha256 = entry.sha256.toStdString();
-        of_each.push_back(listed ? listed->signal : measured.settings.signal);
+        of_each.push_back(row ? set.listed->settings.signal_of(*row) : measured.settings.signal);
     }
     if (!of_each.empty()) {
         measured.settings.signal = of_each.front();
@@ -113,20 +106,27 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
         RecordingSet set;
         set.name = QString::fromStdString(measured.name);
         set.model = measured.settings.model;
-        ListedSet listed{measured.settings, {}};
-        listed.settings.of_recordings.clear();
-        const bool of_logs = measured.settings.logs.given();
-        const auto count = static_cast<int>(measured.recordings.size());
-        for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
-            const auto id =
-                of_logs ? static_cast<RecordingId>(static_cast<int>(k) - count) : ids[next++];
-            listed.members.insert_or_assign(
-                id, ListedMember{measured.recordings[k], measured.settings.signal_of(k)});
-            if (!of_logs && std::ranges::find(set.recordings, id) == set.recordings.end()) {
-                set.recordings.push_back(id);
+        auto listed = std::make_shared<MeasurementSet>(measured);
+        if (!measured.settings.logs.given()) {
+            listed->recordings.clear();
+            listed->settings.of_recordings.clear();
+            for (std::size_t k = 0; k < measured.recordings.size(); ++k) {
+                const RecordingId id = ids[next++];
+                const auto known = std::ranges::find(set.recordings, id);
+                const auto row = known - set.recordings.begin();
+                if (known == set.recordings.end()) {
+                    set.recordings.push_back(id);
+                    listed->recordings.emplace_back();
+                    listed->settings.of_recordings.emplace_back();
+                }
+                // Of rows that name one recording the last one counts.
+                listed->recordings[static_cast<std::size_t>(row)] = measured.recordings[k];
+                listed->recordings[static_cast<std::size_t>(row)].id = number(id);
+                listed->settings.of_recordings[static_cast<std::size_t>(row)] =
+                    measured.settings.signal_of(k);
             }
         }
-        set.listed = std::make_shared<const ListedSet>(std::move(listed));
+        set.listed = std::move(listed);
         sets.push_back(std::move(set));
     }
     return sets;

@@ -3,6 +3,7 @@
 #include "core/analysis/prepare.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
+#include "ui/values/recording_set.h"
 #include "ui/words/error_text.h"
 
 #include <QDir>
@@ -86,18 +87,20 @@ void RecordingStore::open(const QStringList& paths, const OpenOptions& options) 
     }
 }
 
-std::vector<RecordingId> RecordingStore::openOnce(const std::vector<RecordingToOpen>& wanted) {
+std::vector<RecordingId> RecordingStore::openOnce(const std::vector<RecordingRef>& wanted) {
     std::vector<RecordingId> ids;
     const std::size_t before = recordings_.size();
-    for (const RecordingToOpen& each : wanted) {
-        const auto open = std::ranges::find_if(recordings_, [&each](const RecordingEntry& entry) {
-            return entry.path == each.path && entry.options == each.options;
+    for (const RecordingRef& each : wanted) {
+        const QFileInfo file(pathText(each));
+        const QString path = QDir::cleanPath(file.absoluteFilePath());
+        const auto open = std::ranges::find_if(recordings_, [&](const RecordingEntry& entry) {
+            return entry.path == path && entry.options == each.open;
         });
         if (open != recordings_.end()) {
             ids.push_back(open->id);
         } else {
             ids.push_back(ids_.next<RecordingId>());
-            begin(ids.back(), recordings_.size(), each.path, each.options);
+            begin(ids.back(), recordings_.size(), path, each.open);
         }
     }
     if (recordings_.size() != before) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/identify.h"
+#include "core/analysis/measurement_list.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
 #include "ui/document/message.h"
@@ -16,11 +17,6 @@
 #include <vector>
 
 namespace vybeg::ui {
-
-struct RecordingToOpen {
-    QString path;  // absolute
-    OpenOptions options;
-};
 
 // A recording in the window's list. `recording` is empty while the file is being opened; an
 // envelope exists earlier where opening takes long.
@@ -61,7 +57,7 @@ public:
 
     void open(const QStringList& paths, const OpenOptions& options);
     // Ids in the order of `wanted`; a recording that is open in the same way is taken as it is.
-    std::vector<RecordingId> openOnce(const std::vector<RecordingToOpen>& wanted);
+    std::vector<RecordingId> openOnce(const std::vector<RecordingRef>& wanted);
     // Under the id and at the place of one that was closed.
     void openAs(RecordingId id, std::size_t place, const QString& path, const OpenOptions& options);
     void close(RecordingId id);

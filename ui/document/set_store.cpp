@@ -7,6 +7,7 @@
 #include "ui/document/measured_set.h"
 
 #include <QFileInfo>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -16,54 +17,34 @@ namespace vybeg::ui {
 
 namespace {
 
-// In any order: the resonator is the same.
-bool sameRecordings(const std::vector<RecordingId>& a, const std::vector<RecordingId>& b) {
-    return std::ranges::is_permutation(a, b);
+// In any order: the resonator is the same. Logs, which have no ids, are the same files, read in the
+// same way.
+bool sameMembers(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
+    return std::ranges::is_permutation(
+        a, b, [](const RecordingRef& one, const RecordingRef& other) {
+            return one.id == other.id &&
+                   (one.id != 0 || (one.path == other.path && one.open == other.open));
+        });
 }
 
-// Likewise: the same files, read in the same way.
-bool sameLogs(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
-    return std::ranges::is_permutation(a, b,
-                                       [](const RecordingRef& one, const RecordingRef& other) {
-                                           return one.path == other.path && one.open == other.open;
-                                       });
-}
-
-std::vector<RecordingRef> logsOf(const RecordingSet& set) {
-    std::vector<RecordingRef> logs;
-    if (isOfLogs(set)) {
-        for (const auto& member : set.listed->members) {
-            logs.push_back(member.second.row);
-        }
+// Logs, and recordings by their ids alone.
+std::vector<RecordingRef> membersOf(const RecordingSet& set) {
+    std::vector<RecordingRef> members =
+        isOfLogs(set) ? set.listed->recordings : std::vector<RecordingRef>();
+    for (const RecordingId id : set.recordings) {
+        members.emplace_back().id = number(id);
     }
-    return logs;
+    return members;
 }
 
-bool sameMembers(const RecordingSet& a, const RecordingSet& b) {
-    return sameRecordings(a.recordings, b.recordings) && sameLogs(logsOf(a), logsOf(b));
-}
-
-// Outcomes of one set, which has recordings or logs for good.
-bool sameMembers(const ResonatorOutcome& a, const ResonatorOutcome& b) {
-    return sameRecordings(a.recordings, b.recordings) &&
-           (!a.recordings.empty() || sameLogs(a.set.recordings, b.set.recordings));
-}
-
-bool isOf(const ResonatorOutcome& outcome, const RecordingSet& set) {
-    return isOfLogs(set) ? sameLogs(outcome.set.recordings, logsOf(set))
-                         : sameRecordings(outcome.recordings, set.recordings);
-}
-
-std::shared_ptr<const ListedSet> followingPanel(const ListedSet& listed) {
-    auto following = std::make_shared<ListedSet>(listed);
-    following->by_panel = true;
-    return following;
+bool isOf(const SetResult& outcome, const RecordingSet& set) {
+    return sameMembers(outcome.set.recordings, membersOf(set));
 }
 
 QStringList pathsOf(const MeasurementSet& set) {
     QStringList paths;
     for (const RecordingRef& recording : set.recordings) {
-        paths << QString::fromStdU16String(recording.path.u16string());
+        paths << pathText(recording);
     }
     return paths;
 }
@@ -91,26 +72,22 @@ MeasurementSet told(MeasurementSet set, const GyroData& session) {
 QStringList absentFiles(const RecordingSet& set) {
     QStringList files;
     if (set.listed && !isOfLogs(set)) {
-        for (const auto& [id, member] : set.listed->members) {
-            if (!contains(set.recordings, id)) {
-                files << QString::fromStdString(member.row.file);
+        for (const RecordingRef& row : set.listed->recordings) {
+            if (!contains(set.recordings, static_cast<RecordingId>(row.id))) {
+                files << QString::fromStdString(row.file);
             }
         }
     }
     return files;
 }
 
-ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id) {
-    ListedSet other = listed;
-    const auto row = std::ranges::find_if(other.members, [&path](const auto& each) {
-        return QString::fromStdU16String(each.second.row.path.u16string()) == path;
-    });
-    if (row != other.members.end()) {
-        auto taken = other.members.extract(row);
-        taken.key() = id;
-        other.members.insert(std::move(taken));
+MeasurementSet withRowFor(MeasurementSet listed, const QString& path, RecordingId id) {
+    const auto row = std::ranges::find_if(
+        listed.recordings, [&path](const RecordingRef& each) { return pathText(each) == path; });
+    if (row != listed.recordings.end()) {
+        row->id = number(id);
     }
-    return other;
+    return listed;
 }
 
 SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, RecordingStore& recordings,
@@ -151,9 +128,11 @@ void SetStore::restore(const State& state) {
     std::vector<RecordingSet> sets = state.sets;
     for (RecordingSet& set : sets) {
         std::erase_if(set.recordings, [this](RecordingId id) { return !recordings_.find(id); });
-        if (const RecordingSet* now = find(set.id); now && sameMembers(*now, set)) {
+        const RecordingSet* now = find(set.id);
+        if (now && sameMembers(membersOf(*now), membersOf(set))) {
             set.outcomes = now->outcomes;
             set.kept = now->kept;
+            set.kept_up_to_date = now->kept_up_to_date;
         } else {
             queue_.forget(queue_.keyOfSet(set.id));
         }
@@ -209,25 +188,25 @@ void SetStore::setModel(SetId id, FitOptions::Model model) {
     }
 }
 
-void SetStore::setListed(SetId id, ListedSet listed) {
+void SetStore::setListed(SetId id, MeasurementSet listed) {
     if (RecordingSet* set = entry(id)) {
-        set->listed = std::make_shared<const ListedSet>(std::move(listed));
+        set->listed = std::make_shared<const MeasurementSet>(std::move(listed));
         emit changed();
     }
 }
 
-void SetStore::changeListed(SetId id, ListedSet listed) {
+void SetStore::changeListed(SetId id, MeasurementSet listed) {
     if (RecordingSet* set = entry(id)) {
         step([] { return tr("calibration of the set"); },
              [&] {
-                 set->listed = std::make_shared<const ListedSet>(std::move(listed));
+                 set->listed = std::make_shared<const MeasurementSet>(std::move(listed));
                  edited(*set);
              });
     }
 }
 
-void SetStore::setKept(SetId id, KeptResult kept) {
-    entry(id)->kept = std::move(kept);
+void SetStore::restoreSets(std::vector<RecordingSet> sets) {
+    append(std::move(sets));
     emit changed();
 }
 
@@ -311,11 +290,11 @@ std::vector<SetId> SetStore::holding(RecordingId recording_id) const {
 }
 
 void SetStore::openList(const QString& path, const OpenOptions& options) {
-    ListDefaults defaults{options, {}};
-    defaults.settings.signal = settings_.settings();
-    defaults.settings.tolerance = settings_.tolerance();
-    const auto list =
-        read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(), defaults);
+    IdentifySettings settings;
+    settings.signal = settings_.settings();
+    settings.tolerance = settings_.tolerance();
+    const auto list = read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(),
+                                            options, settings);
     if (!list) {
         emit reported(errorMessage(list.error()));
         return;
@@ -343,7 +322,7 @@ void SetStore::open(const MeasurementList& list) {
 
 void SetStore::openLogs(const MeasurementSet& set) {
     std::vector<RecordingSet> sets = openSets({{}, {set}, {}}, recordings_);
-    sets.front().listed = followingPanel(*sets.front().listed);
+    sets.front().by_panel = true;
     enter(std::move(sets), [] { return tr("open logs"); });
     identifySet(current_);
     emit opened(pathsOf(set));
@@ -355,8 +334,7 @@ void SetStore::setLogs(SetId id, const MeasurementSet& set) {
         return;
     }
     const QStringList before = pathsOf(measured(*now));
-    RecordingSet other = std::move(openSets({{}, {set}, {}}, recordings_).front());
-    other.listed = now->listed->by_panel ? followingPanel(*other.listed) : other.listed;
+    const RecordingSet other = std::move(openSets({{}, {set}, {}}, recordings_).front());
     step([] { return tr("logs of the set"); },
          [&] {
              now->name = other.name;
@@ -371,18 +349,20 @@ void SetStore::setLogs(SetId id, const MeasurementSet& set) {
 }
 
 void SetStore::enter(std::vector<RecordingSet> sets, UndoSteps::Words words) {
-    const auto first = ids_.next<SetId>();
     step(std::move(words), [&] {
-        SetId id = first;
-        for (RecordingSet& set : sets) {
-            set.id = id;
-            set.number = ++made_;
-            sets_.push_back(std::move(set));
-            id = ids_.next<SetId>();
-        }
-        current_ = first;
+        const std::size_t first = sets_.size();
+        append(std::move(sets));
+        current_ = first < sets_.size() ? sets_[first].id : SetId::none;
     });
     emit changed();
+}
+
+void SetStore::append(std::vector<RecordingSet> sets) {
+    for (RecordingSet& set : sets) {
+        set.id = ids_.next<SetId>();
+        set.number = ++made_;
+        sets_.push_back(std::move(set));
+    }
 }
 
 MeasurementSet SetStore::measured(const RecordingSet& set) const {
@@ -429,26 +409,23 @@ void SetStore::identifySet(SetId id) {
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, std::move(open),
-                  [this, key, members = set.recordings](Result<ResonatorOutcome> result) {
-                      if (result) {
-                          result->recordings = members;
-                      }
-                      whenIdentified(key, std::move(result));
-                  });
+    job_.identify(key, std::move(open), [this, key](Result<SetResult> result) {
+        whenIdentified(key, std::move(result));
+    });
 }
 
-void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
+void SetStore::whenIdentified(int key, Result<SetResult> result) {
     const auto id = queue_.find(key)->set_id;
     if (result) {
         RecordingSet& set = *entry(id);
         // Older ones of other recordings, or of the same settings, have no use any more.
         std::erase_if(set.outcomes, [&](const auto& older) {
-            return !sameMembers(*older, *result) ||
+            return !sameMembers(older->set.recordings, result->set.recordings) ||
                    older->identification.settings == result->identification.settings;
         });
-        set.outcomes.push_back(std::make_shared<const ResonatorOutcome>(std::move(*result)));
+        set.outcomes.push_back(std::make_shared<const SetResult>(std::move(*result)));
         set.kept = {};
+        set.kept_up_to_date = false;
         emit changed();
         emit identified(id);
     } else if (result.error().code != ErrorCode::interrupted) {
@@ -457,11 +434,11 @@ void SetStore::whenIdentified(int key, Result<ResonatorOutcome> result) {
     queue_.done(key);
 }
 
-bool SetStore::outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const {
+bool SetStore::outOfDate(const RecordingSet& set, const SetResult& outcome) const {
     return !isOf(outcome, set) || outcome.identification.settings != measured(set).settings;
 }
 
-std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& set) const {
+std::shared_ptr<const SetResult> SetStore::outcome(const RecordingSet& set) const {
     const auto up_to_date = std::ranges::find_if(
         set.outcomes, [&](const auto& outcome) { return !outOfDate(set, *outcome); });
     if (up_to_date != set.outcomes.end()) {
@@ -470,20 +447,28 @@ std::shared_ptr<const ResonatorOutcome> SetStore::outcome(const RecordingSet& se
     return set.outcomes.empty() ? nullptr : set.outcomes.back();
 }
 
-KeptResult SetStore::kept(const RecordingSet& set) const {
-    const auto found = outcome(set);
-    return found ? KeptResult{found->kept, !outOfDate(set, *found)} : set.kept;
+RecordingSet SetStore::asKept(const RecordingSet& set) const {
+    RecordingSet kept = set;
+    kept.outcomes.clear();
+    if (const auto found = outcome(set)) {
+        kept.kept = QJsonDocument::fromJson(QByteArray::fromStdString(found->saved)).object();
+        kept.kept_up_to_date = !outOfDate(set, *found);
+    }
+    return kept;
 }
 
 SetResult SetStore::underPresentConditions(const RecordingSet& set,
-                                           const ResonatorOutcome& outcome) const {
+                                           const SetResult& outcome) const {
     if (isOfLogs(set)) {  // the list's conditions of a log do not change
         SetResult result = outcome;
         result.set.name = set.name.toStdString();
         return result;
     }
     RecordingSet ordered = set;
-    ordered.recordings = outcome.recordings;
+    ordered.recordings.clear();
+    for (const RecordingRef& recording : outcome.set.recordings) {
+        ordered.recordings.push_back(static_cast<RecordingId>(recording.id));
+    }
     SetResult result = outcome;
     result.set = measured(ordered);
     for (std::size_t k = 0; k < result.set.recordings.size(); ++k) {

@@ -22,7 +22,7 @@ namespace vybeg::ui {
 QStringList absentFiles(const RecordingSet& set);
 
 // The same list with the row of that file for the recording `id`.
-ListedSet withRowFor(const ListedSet& listed, const QString& path, RecordingId id);
+MeasurementSet withRowFor(MeasurementSet listed, const QString& path, RecordingId id);
 
 // Sets of recordings, the resonators identified from them, and the passport for comparison. An edit
 // of a set stops its identification; its older result stays, out of date.
@@ -42,11 +42,13 @@ public:
     void remove(SetId id);
     void rename(SetId id, const QString& name);
     void setModel(SetId id, FitOptions::Model model);
-    // No step: of a session, whose sets are made.
-    void setListed(SetId id, ListedSet listed);
-    void setKept(SetId id, KeptResult kept);
+    // No step: a file of the set's list is found again.
+    void setListed(SetId id, MeasurementSet listed);
+    // Sets of a session, with the ids of open recordings, behind the others; none becomes the
+    // current one. No step.
+    void restoreSets(std::vector<RecordingSet> sets);
     // What the list says of the set, otherwise than in its file; a step of undo.
-    void changeListed(SetId id, ListedSet listed);
+    void changeListed(SetId id, MeasurementSet listed);
     // Recordings into a set of recordings, each once.
     void addTo(SetId id, const std::vector<RecordingId>& recording_ids);
     // Into the current set; without one, or where that has logs, into a new one.
@@ -77,13 +79,13 @@ public:
     bool canIdentify() const;
     bool identifying(SetId id) const { return queue_.keyOfSet(id) != 0; }
     // The newest of a set: with its present recordings and settings where there is one.
-    std::shared_ptr<const ResonatorOutcome> outcome(const RecordingSet& set) const;
-    bool outOfDate(const RecordingSet& set, const ResonatorOutcome& outcome) const;
+    std::shared_ptr<const SetResult> outcome(const RecordingSet& set) const;
+    bool outOfDate(const RecordingSet& set, const SetResult& outcome) const;
     // An outcome of the set with the name and the conditions that the set has now.
-    SetResult underPresentConditions(const RecordingSet& set,
-                                     const ResonatorOutcome& outcome) const;
-    // What a session keeps of that: the newest outcome, otherwise what the session brought.
-    KeptResult kept(const RecordingSet& set) const;
+    SetResult underPresentConditions(const RecordingSet& set, const SetResult& outcome) const;
+    // The set as a session keeps it: of its outcomes the newest, otherwise what the session
+    // brought.
+    RecordingSet asKept(const RecordingSet& set) const;
 
     // Passports are written and read in the background; errors are reported.
     // Its gyro: the one that the current set's list names, otherwise that of the session.
@@ -118,11 +120,12 @@ private:
     void restore(const State& state);
     // Sets of a list, in a step.
     void enter(std::vector<RecordingSet> sets, UndoSteps::Words words);
+    void append(std::vector<RecordingSet> sets);
     void insertInto(SetId id, const std::vector<RecordingId>& recording_ids);
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
-    void whenIdentified(int key, Result<ResonatorOutcome> result);
+    void whenIdentified(int key, Result<SetResult> result);
 
     BackgroundJobs& job_;
     const SettingsModel& settings_;

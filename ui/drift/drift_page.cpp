@@ -110,8 +110,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     connect(columns_, &QLineEdit::editingFinished, this, &DriftPanel::editColumns);
     connect(angle_unit_, &QComboBox::activated, this, [this](int place) {
         edit([place](DriftSettings& settings) {
-            settings.reading.rad_per_angle_unit =
-                log_angle_units.at(static_cast<std::size_t>(place));
+            settings.log.rad_per_angle_unit = log_angle_units.at(static_cast<std::size_t>(place));
         });
     });
     const auto chooses = [this](QComboBox* box, const auto& list, auto member) {
@@ -141,7 +140,7 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
         });
     };
     edits(
-        rate_, [](DriftSettings & settings) -> auto& { return settings.reading.open.rate_hz; });
+        rate_, [](DriftSettings & settings) -> auto& { return settings.open.rate_hz; });
     edits(
         kappa_, [](DriftSettings & settings) -> auto& { return settings.tolerance.kappa; });
     edits(
@@ -167,7 +166,7 @@ QComboBox* DriftPanel::makeList(const char* name, std::size_t entries) {
 
 void DriftPanel::editText(const std::function<void(TextChoice&)>& change) {
     edit([&change](DriftSettings& settings) {
-        std::optional<TextChoice>& text = settings.reading.open.text;
+        std::optional<TextChoice>& text = settings.open.text;
         TextChoice choice = text.value_or(TextChoice{});
         change(choice);
         text = choice == TextChoice{} ? std::nullopt : std::optional(choice);
@@ -188,7 +187,7 @@ void DriftPanel::editColumns() {
         return;
     }
     showFault({});
-    edit([&columns](DriftSettings& settings) { settings.reading.columns = columns; });
+    edit([&columns](DriftSettings& settings) { settings.log.names = columns; });
 }
 
 void DriftPanel::showFault(const QString& sentence) {
@@ -201,18 +200,19 @@ void DriftPanel::refreshLogs() {
     const QStringList chosen = logs_->chosenPaths();
     const QSignalBlocker quiet(logs_);
     const auto outcome = document_.drift().outcome();
-    const std::vector<DriftLog>& logs = document_.drift().logs();
+    const std::vector<RecordingRef>& logs = document_.drift().logs();
     logs_->clear();
     for (std::size_t k = 0; k < logs.size(); ++k) {
-        auto* item =
-            new QListWidgetItem(outcome ? logName(outcome->drift, k) : logs[k].name(), logs_);
-        item->setData(Qt::UserRole, logs[k].path);
-        QString facts = QDir::toNativeSeparators(logs[k].path);
-        if (!logs[k].sha256.isEmpty()) {
-            facts += QStringLiteral("\nSHA-256 ") + logs[k].sha256;
+        auto* item = new QListWidgetItem(
+            outcome ? logName(outcome->drift, k) : QString::fromStdString(logs[k].name()), logs_);
+        const QString path = pathText(logs[k]);
+        item->setData(Qt::UserRole, path);
+        QString facts = QDir::toNativeSeparators(path);
+        if (!logs[k].sha256.empty()) {
+            facts += QStringLiteral("\nSHA-256 ") + QString::fromStdString(logs[k].sha256);
         }
         item->setToolTip(plainTip(facts));
-        item->setSelected(chosen.contains(logs[k].path));
+        item->setSelected(chosen.contains(path));
     }
     logs_->updateGeometry();
 }
@@ -221,7 +221,7 @@ void DriftPanel::refresh() {
     refreshLogs();
     remove_->setEnabled(!logs_->selectedItems().isEmpty());
     const DriftSettings& settings = document_.drift().settings();
-    const QString columns = QString::fromStdString(settings.reading.columns);
+    const QString columns = QString::fromStdString(settings.log.names);
     // A text that is not in effect stays until the setting becomes another one, as by an undo.
     if (columns != columns_shown_ || !columns_->hasFocus() ||
         columns_->text().trimmed() == columns) {
@@ -229,8 +229,8 @@ void DriftPanel::refresh() {
         columns_->setText(columns);
         showFault({});
     }
-    const TextChoice text = settings.reading.open.text.value_or(TextChoice{});
-    angle_unit_->setCurrentIndex(placeIn(log_angle_units, settings.reading.rad_per_angle_unit));
+    const TextChoice text = settings.open.text.value_or(TextChoice{});
+    angle_unit_->setCurrentIndex(placeIn(log_angle_units, settings.log.rad_per_angle_unit));
     time_unit_->setCurrentIndex(placeIn(log_time_units, text.time_unit_s));
     delimiter_->setCurrentIndex(placeIn(log_delimiters, text.delimiter));
     decimal_->setCurrentIndex(placeIn(decimal_commas, text.decimal_comma));
@@ -239,7 +239,7 @@ void DriftPanel::refresh() {
     };
     show(skip_lines_, text.lines_to_skip);
     show(time_column_, text.time_column);
-    rate_->setValue(settings.reading.open.rate_hz);
+    rate_->setValue(settings.open.rate_hz);
     kappa_->setValue(settings.tolerance.kappa);
     skew_->setValue(settings.tolerance.skew_deg);
     const ChannelTolerance usual = usual_pick_offs();

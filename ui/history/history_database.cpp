@@ -26,10 +26,8 @@
 
 namespace vybeg::ui {
 
-namespace {
-
-// The settings of each recording; those that differ stand side by side in one text.
-std::optional<std::vector<IdentifySettings>> settingsOf(const StoredResult& result) {
+// Those in which the recordings differ stand side by side in one text.
+std::optional<IdentifySettings> settingsOf(const StoredResult& result) {
     const QJsonObject json =
         QJsonDocument::fromJson(QByteArray::fromStdString(result.json)).object();
     const QJsonObject settings = json[QStringLiteral("settings")].toObject();
@@ -47,32 +45,25 @@ std::optional<std::vector<IdentifySettings>> settingsOf(const StoredResult& resu
             }
         }
     }
-    return settings.isEmpty() ? std::nullopt : std::optional(std::move(each));
+    if (settings.isEmpty() || each.empty()) {
+        return std::nullopt;
+    }
+    IdentifySettings whole = each.front();
+    for (const IdentifySettings& of_one : each) {
+        whole.of_recordings.push_back(of_one.signal);
+    }
+    return whole;
 }
 
-}  // namespace
-
-StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise) {
-    StoredSet stored;
-    MeasurementSet set;
-    set.name = result.set;
-    const auto settings = settingsOf(result);
-    stored.settings_known = settings.has_value();
-    set.settings = settings && !settings->empty() ? settings->front() : otherwise;
-    for (std::size_t k = 0; k < result.recordings.size(); ++k) {
-        const RecordingRef& each = result.recordings[k];
-        const QString path = QString::fromStdU16String(each.path.u16string());
-        if (!QFileInfo(path).isFile()) {
-            stored.missing << path;
-            continue;
-        }
-        set.recordings.push_back(each);
-        set.settings.of_recordings.push_back(settings ? (*settings)[k].signal : otherwise.signal);
-    }
-    if (!set.recordings.empty()) {
-        stored.list.sets.push_back(std::move(set));
-    }
-    return stored;
+QStringList leaveOutMissing(MeasurementSet& set) {
+    QStringList missing;
+    leave_out(set, [&missing](const RecordingRef& recording) {
+        const QString path = pathText(recording);
+        const bool there = QFileInfo(path).isFile();
+        missing << (there ? QStringList() : QStringList(path));
+        return !there;
+    });
+    return missing;
 }
 
 namespace {
@@ -257,7 +248,7 @@ void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date
 
 }  // namespace
 
-std::shared_ptr<const ResonatorOutcome> addableResult(const Document& document) {
+std::shared_ptr<const SetResult> addableResult(const Document& document) {
     const RecordingSet* set = document.sets().current();
     const auto outcome = set ? document.sets().outcome(*set) : nullptr;
     return outcome && !document.sets().outOfDate(*set, *outcome) ? outcome : nullptr;

@@ -18,15 +18,11 @@ class QWidget;
 
 namespace vybeg::ui {
 
-// A stored result as a measurement list of one set, with its settings; `settings_known`: whether
-// they could be read from the result. Recordings that are not where they were are left out.
-struct StoredSet {
-    MeasurementList list;
-    QStringList missing;  // paths
-    bool settings_known = true;
-};
+// The settings of a stored result and of each of its recordings; nothing: they cannot be read.
+std::optional<IdentifySettings> settingsOf(const StoredResult& result);
 
-StoredSet storedSet(const StoredResult& result, const IdentifySettings& otherwise);
+// Leaves out the recordings of a set that are not where they were; returns their paths.
+QStringList leaveOutMissing(MeasurementSet& set);
 
 // A job of a database of results in the background, which opens the file for itself, so that none
 // of them holds it. A message of the document names a wait for another program. Errors: those of
@@ -48,7 +44,7 @@ void readHistory(const DatabaseJob& job, const std::optional<std::string>& gyro,
 void readResult(const DatabaseJob& job, std::int64_t id, Done<StoredResult> done);
 
 // The current set's result with the present recordings and settings; null: there is none.
-std::shared_ptr<const ResonatorOutcome> addableResult(const Document& document);
+std::shared_ptr<const SetResult> addableResult(const Document& document);
 // Asks under which gyro and date addableResult() goes into the database, and puts it there; then
 // calls `added`. `gyros`: those of the database, which are proposed.
 void askToAdd(const DatabaseJob& job, const QStringList& gyros, QWidget* window,

@@ -382,27 +382,30 @@ void HistoryPage::openChosen() {
 }
 
 void HistoryPage::openStored(const StoredResult& result) {
-    const StoredSet stored = storedSet(result, document_.sets().measured(RecordingSet()).settings);
+    const auto settings = settingsOf(result);
+    MeasurementSet set{result.set, result.recordings,
+                       settings.value_or(document_.sets().measured(RecordingSet()).settings)};
+    const QStringList missing = leaveOutMissing(set);
     const auto warn = [this](std::function<QString()> text) {
         document_.report(warningMessage(std::move(text)));
     };
-    if (!stored.missing.isEmpty()) {
-        warn([missing = stored.missing, name = QString::fromStdString(result.set)] {
+    if (!missing.isEmpty()) {
+        warn([missing, name = QString::fromStdString(result.set)] {
             return tr("Of the result %1 these recordings are not where they were: %2.")
                 .arg(name, missing.join(QStringLiteral(", ")));
         });
     }
-    if (stored.list.sets.empty()) {
+    if (set.recordings.empty()) {
         return;
     }
-    if (!stored.settings_known) {
+    if (!settings) {
         warn([name = QString::fromStdString(result.set)] {
             return tr("The settings of the result %1 cannot be read: the set has those of the "
                       "panel Analysis.")
                 .arg(name);
         });
     }
-    document_.sets().open(stored.list);
+    document_.sets().open({{}, {set}, {}});
     emit setOpened();
 }
 

@@ -345,8 +345,8 @@ QStringList measuredSentences(const Document& document, const AnalysisEntry& ent
     }
     for (const RecordingSet& set : document.sets().all()) {
         const auto outcome = document.sets().outcome(set);
-        if (!outcome || std::ranges::find(outcome->recordings, entry.recording_id) ==
-                            outcome->recordings.end()) {
+        if (!outcome || std::ranges::count(outcome->set.recordings, number(entry.recording_id),
+                                           &RecordingRef::id) == 0) {
             continue;
         }
         const Estimate& split = outcome->identification.fit.resonator.split_hz;

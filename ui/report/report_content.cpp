@@ -230,17 +230,14 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
 ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {
     ReportContent content;
     const RecordingSet* set = identifiedSet(document, subject);
-    const ListedSet* listed = set ? set->listed.get() : nullptr;
     for (const RecordingId id : subject.recordings) {
         const RecordingEntry& entry = *document.recording(id);
         ReportRecording told = reportRecording(*entry.recording, entry.sha256);
         if (entry.faults) {
             told.check = entry.faults->findings;
         }
-        if (listed) {
-            if (const auto row = listed->members.find(id); row != listed->members.end()) {
-                told.conditions = conditionsText(row->second.row);
-            }
+        if (const auto row = set ? rowOf(*set, id) : std::nullopt) {
+            told.conditions = conditionsText(set->listed->recordings[*row]);
         }
         for (const AnalysisEntry& analysis : document.analyses()) {
             if (analysis.recording_id == id && isReported(analysis)) {

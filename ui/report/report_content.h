@@ -115,7 +115,7 @@ struct ReportContent {
     ReportTitle title;
     std::vector<ReportRecording> recordings;
     std::vector<ReportAnalysis> analyses;  // of the recordings, in their order
-    std::shared_ptr<const ResonatorOutcome> outcome;
+    std::shared_ptr<const SetResult> outcome;
     QStringList absent;        // recordings of the set's list that are not in it
     bool out_of_date = false;  // the outcome is of other settings than the present ones
     std::optional<Error>

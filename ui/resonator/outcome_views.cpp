@@ -28,7 +28,7 @@ namespace vybeg::ui {
 namespace {
 
 // Names of the recordings, with a mark at those with a finding below the table.
-QStringList markedNames(const ResonatorOutcome& outcome) {
+QStringList markedNames(const SetResult& outcome) {
     QStringList names;
     for (std::size_t k = 0; k < outcome.set.recordings.size(); ++k) {
         const bool warned =
@@ -86,7 +86,7 @@ void NumbersView::showAgain() {
     if (!shown_) {
         return;
     }
-    const ResonatorOutcome& outcome = *shown_;
+    const SetResult& outcome = *shown_;
     const Identification& found = outcome.identification;
     const std::vector<Finding> findings = recordingFindings(outcome);
     warnings_->setFindings(findings_of(found.fit.warnings));

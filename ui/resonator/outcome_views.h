@@ -28,13 +28,13 @@ public:
     using MeasuredPage::MeasuredPage;
 
     // Null: the set is not identified yet.
-    void setOutcome(std::shared_ptr<const ResonatorOutcome> outcome) {
+    void setOutcome(std::shared_ptr<const SetResult> outcome) {
         shown_ = std::move(outcome);
         showAgain();
     }
 
 protected:
-    std::shared_ptr<const ResonatorOutcome> shown_;
+    std::shared_ptr<const SetResult> shown_;
 };
 
 // The parameters of the resonator, of the free model its modes, with what their uncertainties hold;

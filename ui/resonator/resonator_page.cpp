@@ -97,11 +97,11 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
         }
     };
     const RecordingSet* set = document_.sets().current();
-    if (set && set->listed && !set->listed->by_panel) {
-        ListedSet listed = *set->listed;
+    if (set && set->listed && !set->by_panel) {
+        MeasurementSet listed = *set->listed;
         change(listed.settings.signal.calibration);
-        for (auto& [id, member] : listed.members) {
-            change(member.signal.calibration);
+        for (SignalSettings& each : listed.settings.of_recordings) {
+            change(each.calibration);
         }
         narrow(listed.settings.tolerance);
         document_.sets().changeListed(set->id, std::move(listed));
@@ -119,7 +119,7 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
 void ResonatorPage::refresh() {
     const RecordingSet* set = document_.sets().current();
     const bool same = (set ? document_.sets().outcome(*set) : nullptr) == shown_ &&
-                      (set ? set->kept.json : QJsonObject()) == kept_json_;
+                      (set ? set->kept : QJsonObject()) == kept_json_;
     if (same) {
         showState(set);
     } else {
@@ -130,15 +130,13 @@ void ResonatorPage::refresh() {
 void ResonatorPage::rebuild() {
     const RecordingSet* set = document_.sets().current();
     shown_ = set ? document_.sets().outcome(*set) : nullptr;
-    kept_json_ = set ? set->kept.json : QJsonObject();
+    kept_json_ = set ? set->kept : QJsonObject();
     kept_ = kept_json_.isEmpty()
                 ? SetResult{}
                 : read_saved_result(QJsonDocument(kept_json_).toJson().toStdString());
     showState(set);
     const bool from_session = !shown_ && !kept_json_.isEmpty() && kept_;
-    numbers_->setOutcome(
-        from_session ? std::make_shared<const ResonatorOutcome>(ResonatorOutcome{*kept_, {}, 0, {}})
-                     : shown_);
+    numbers_->setOutcome(from_session ? std::make_shared<const SetResult>(*kept_) : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
     showTabs();
@@ -152,7 +150,7 @@ void ResonatorPage::showState(const RecordingSet* set) {
         return;
     }
     const bool out_of_date = shown_ ? document_.sets().outOfDate(*set, *shown_)
-                                    : !kept_json_.isEmpty() && !set->kept.up_to_date;
+                                    : !kept_json_.isEmpty() && !set->kept_up_to_date;
     if (out_of_date) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme().warning, theme()).name(), tr("Out of date."),

@@ -38,7 +38,7 @@ private:
     static QString modelText(ResonatorModel model);
 
     Document& document_;
-    std::shared_ptr<const ResonatorOutcome> shown_;
+    std::shared_ptr<const SetResult> shown_;
     // The session's result, shown where nothing is identified here, and what it was read from.
     Result<SetResult> kept_ = SetResult{};
     QJsonObject kept_json_;

@@ -131,7 +131,7 @@ XYSeries trackOf(const RunTrack& track, TrackVariable variable, double angle) {
 
 }  // namespace
 
-XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
+XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units) {
     const DriftFunction& drift = outcome.identification.drift;
     const double angle = angleFactor(units);
     const double rate = angleRateFactor(units);
@@ -166,7 +166,7 @@ XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units) {
     return plot;
 }
 
-XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const DisplayUnits& units) {
+XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnits& units) {
     const std::vector<ChannelBalance>& balance = outcome.identification.balance;
     const bool over_time = axis == BalanceAxis::time;
     XYPlot plot;
@@ -190,7 +190,7 @@ XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const Disp
     return plot;
 }
 
-RoundPlot rimPlot(const ResonatorOutcome& outcome) {
+RoundPlot rimPlot(const SetResult& outcome) {
     RoundPlot plot;
     plot.reach = 1.1;
     plot.scale = false;
@@ -220,7 +220,7 @@ RoundPlot rimPlot(const ResonatorOutcome& outcome) {
     return plot;
 }
 
-XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, TrackVariable variable,
+XYPlot trackPlot(const SetResult& outcome, const Passport& passport, TrackVariable variable,
                  const DisplayUnits& units) {
     XYPlot plot;
     plot.x_name = QStringLiteral("t");

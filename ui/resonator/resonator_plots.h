@@ -11,23 +11,23 @@ namespace vybeg::ui {
 
 // d theta_A/dt against theta_A over the period of 90 degrees: measured points, fitted harmonics
 // with their band, and the curve of the fitted resonator.
-XYPlot driftPlot(const ResonatorOutcome& outcome, const DisplayUnits& units);
+XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units);
 
 // What condition (30) is drawn against.
 enum class BalanceAxis { time, angle };
 
 // Condition (30) of each run; structured model only.
-XYPlot balancePlot(const ResonatorOutcome& outcome, BalanceAxis axis, const DisplayUnits& units);
+XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnits& units);
 
 // The rim from above: electrodes, axes of stiffness and damping with their standard deviations, and
 // the wave of each recording at its start. Empty for the free model.
-RoundPlot rimPlot(const ResonatorOutcome& outcome);
+RoundPlot rimPlot(const SetResult& outcome);
 
 // Slow variable of a run to plot.
 enum class TrackVariable { a_A, a_B, two_theta_A };
 
 // Runs of an identification (lines) and of a passport (dashed).
-XYPlot trackPlot(const ResonatorOutcome& outcome, const Passport& passport, TrackVariable variable,
+XYPlot trackPlot(const SetResult& outcome, const Passport& passport, TrackVariable variable,
                  const DisplayUnits& units);
 
 }  // namespace vybeg::ui

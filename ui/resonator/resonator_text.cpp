@@ -493,7 +493,7 @@ QString calibrationOffers(const FoundCalibration& found) {
     return links.join(QStringLiteral("<br>"));
 }
 
-std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome) {
+std::vector<Finding> recordingFindings(const SetResult& outcome) {
     std::vector<NamedWarnings> all;
     for (std::size_t k = 0; k < outcome.identification.runs.size(); ++k) {
         all.emplace_back(outcome.set.recordings[k].name(),

@@ -67,6 +67,6 @@ FoundCalibration foundCalibration(const Identification& found);
 QString calibrationOffers(const FoundCalibration& found);
 
 // Findings in the recordings, each with the names of the recordings, the worst first.
-std::vector<Finding> recordingFindings(const ResonatorOutcome& outcome);
+std::vector<Finding> recordingFindings(const SetResult& outcome);
 
 }  // namespace vybeg::ui

@@ -245,7 +245,7 @@ void SetPanel::refresh() {
     if (of_logs) {
         facts << tr("Logs, read with %1.").arg(logText(set->listed->settings.logs));
     }
-    facts << (of_logs && set->listed->by_panel
+    facts << (of_logs && set->by_panel
                   ? tr("Calibration and tolerances are those of the panel Analysis, which stands "
                        "beside the page Tracks.")
                   : tr("Settings and conditions are those of the measurement list; the panel "
@@ -303,7 +303,6 @@ void SetPanel::showSets() {
 // Of the current set, or without one, all open recordings; those of the set are checked. Of other
 // sets theirs, of a set of logs these, as they are.
 void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
-    const auto* listed = set && set->listed ? &*set->listed : nullptr;
     const auto add = [of](const QString& name, const QString& path, const RecordingRef* row,
                           SetTree::Kind kind) {
         const auto temperature = row ? row->conditions.temperature_c : std::nullopt;
@@ -320,9 +319,8 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
         return item;
     };
     if (set && isOfLogs(*set)) {
-        for (const auto& member : listed->members) {
-            const RecordingRef& log = member.second.row;
-            const QString path = QString::fromStdU16String(log.path.u16string());
+        for (const RecordingRef& log : set->listed->recordings) {
+            const QString path = pathText(log);
             add(QString::fromStdString(log.name()), path, &log, SetTree::log_item)
                 ->setData(0, Qt::UserRole, path);
         }
@@ -333,10 +331,9 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
         if (!in && set != document_.sets().current()) {
             continue;
         }
-        const bool has_row = listed && listed->members.contains(entry.id);
-        auto* item =
-            add(entry.name, entry.path, has_row ? &listed->members.at(entry.id).row : nullptr,
-                SetTree::recording_item);
+        const auto row = set ? rowOf(*set, entry.id) : std::nullopt;
+        auto* item = add(entry.name, entry.path, row ? &set->listed->recordings[*row] : nullptr,
+                         SetTree::recording_item);
         item->setData(0, Qt::UserRole, number(entry.id));
         item->setCheckState(0, in ? Qt::Checked : Qt::Unchecked);
     }
@@ -345,7 +342,7 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
 // How many it has, and whether they are identified as they are.
 QString SetPanel::noteOf(const RecordingSet& set) const {
     const bool of_logs = isOfLogs(set);
-    const auto count = of_logs ? set.listed->members.size() : set.recordings.size();
+    const auto count = of_logs ? set.listed->recordings.size() : set.recordings.size();
     const QString members = (of_logs ? tr("%1 logs") : tr("%1 rec."))
                                 .arg(QLocale().toString(static_cast<qulonglong>(count)));
     const auto outcome = document_.sets().outcome(set);
@@ -355,19 +352,7 @@ QString SetPanel::noteOf(const RecordingSet& set) const {
 
 void SetPanel::removeLog(const RecordingSet& set, const QString& path) {
     MeasurementSet other = document_.sets().measured(set);
-    std::vector<SignalSettings> signal;
-    std::vector<RecordingRef> left;
-    for (std::size_t k = 0; k < other.recordings.size(); ++k) {
-        const RecordingRef& log = other.recordings[k];
-        if (QString::fromStdU16String(log.path.u16string()) != path) {
-            signal.push_back(other.settings.signal_of(k));
-            left.push_back(log);
-        }
-    }
-    if (!other.settings.of_recordings.empty()) {
-        other.settings.of_recordings = std::move(signal);
-    }
-    other.recordings = std::move(left);
+    leave_out(other, [&path](const RecordingRef& log) { return pathText(log) == path; });
     document_.sets().setLogs(set.id, other);
 }
 

@@ -9,7 +9,8 @@
 #include <QJsonArray>
 
 #include <algorithm>
-#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -159,58 +160,85 @@ Others othersFromJson(const QJsonArray& columns, const QJsonArray& fields) {
     return others;
 }
 
-QJsonObject memberToJson(int place, const ListedMember& member, const QDir& folder) {
-    IdentifySettings signal;
-    signal.signal = member.signal;
-    const RecordingRef& row = member.row;
-    QJsonObject json{
-        {place_key, place},
-        {signal_key, settingsToJson(identify_settings(), signal)},
-        {file_key, text(row.file)},
-        {path_key, storedPath(QString::fromStdU16String(row.path.u16string()), folder)},
-        {options_key, optionsToJson(row.open)},
-        {others_key, textsToJson(row.others, &Others::value_type::second)}};
+// The place of a recording in a session; -1: none.
+int placeOf(RecordingId id, const std::vector<ClosedRecording>& recordings) {
+    const auto found = std::ranges::find(recordings, id, &ClosedRecording::id);
+    return found == recordings.end() ? -1 : static_cast<int>(found - recordings.begin());
+}
+
+// The id that the recording at a place has in a session that is read; none: there is none.
+RecordingId idAt(int place, std::size_t recordings) {
+    return place >= 0 && place < static_cast<int>(recordings) ? static_cast<RecordingId>(place + 1)
+                                                              : RecordingId::none;
+}
+
+QJsonObject rowToJson(int place, const RecordingRef& row, const SignalSettings& signal,
+                      const QDir& folder) {
+    IdentifySettings settings;
+    settings.signal = signal;
+    QJsonObject json{{place_key, place},
+                     {signal_key, settingsToJson(identify_settings(), settings)},
+                     {file_key, text(row.file)},
+                     {path_key, storedPath(pathText(row), folder)},
+                     {options_key, optionsToJson(row.open)},
+                     {others_key, textsToJson(row.others, &Others::value_type::second)}};
     describe(JsonWriter(json), row.conditions);
     return json;
 }
 
-Result<ListedMember> memberFromJson(const QJsonObject& json, const QJsonArray& columns,
-                                    const QDir& folder) {
-    const auto signal = TRY(settingsFromJson(identify_settings(), json[signal_key].toObject()));
-    ListedMember member;
-    member.signal = signal.signal;
-    RecordingRef& row = member.row;
+RecordingRef rowFromJson(const QJsonObject& json, const QJsonArray& columns, const QDir& folder) {
+    RecordingRef row;
     row.file = json[file_key].toString().toStdString();
     row.path = pathFromJson(json, folder).toStdU16String();
     row.open = optionsFromJson(json[options_key].toObject());
     row.others = othersFromJson(columns, json[others_key].toArray());
     describe(JsonReader(json), row.conditions);
-    return member;
+    return row;
 }
 
-// Members by places in the session.
-QJsonObject listedToJson(const ListedSetBy<int>& listed, const QDir& folder) {
+// The rows of a list by the places of their recordings; those without one first, at negative
+// places in their order.
+QJsonObject listedToJson(const RecordingSet& set, const std::vector<ClosedRecording>& recordings,
+                         const QDir& folder) {
+    const MeasurementSet& listed = *set.listed;
+    std::map<int, std::size_t> places;
+    int without = -static_cast<int>(listed.recordings.size());
+    for (std::size_t k = 0; k < listed.recordings.size(); ++k) {
+        const int place = placeOf(static_cast<RecordingId>(listed.recordings[k].id), recordings);
+        places.emplace(place < 0 ? without++ : place, k);
+    }
     QJsonArray members;
-    for (const auto& [place, member] : listed.members) {
-        members.append(memberToJson(place, member, folder));
+    for (const auto& [place, k] : places) {
+        members.append(
+            rowToJson(place, listed.recordings[k], listed.settings.signal_of(k), folder));
     }
     const Others others =
-        listed.members.empty() ? Others() : listed.members.begin()->second.row.others;
+        places.empty() ? Others() : listed.recordings[places.begin()->second].others;
     return {{settings_key, settingsToJson(identify_settings(), listed.settings)},
             {columns_key, textsToJson(others, &Others::value_type::first)},
-            {by_panel_key, listed.by_panel ? QJsonValue(true) : QJsonValue::Undefined},
+            {by_panel_key, set.by_panel ? QJsonValue(true) : QJsonValue::Undefined},
             {members_key, members}};
 }
 
-Result<ListedSetBy<int>> listedFromJson(const QJsonObject& json, const QDir& folder) {
+Status readListed(const QJsonObject& json, std::size_t recordings, const QDir& folder,
+                  RecordingSet& set) {
+    MeasurementSet listed;
     auto settings = TRY(settingsFromJson(identify_settings(), json[settings_key].toObject()));
-    ListedSetBy<int> listed{std::move(settings), {}, json[by_panel_key].toBool()};
-    const QJsonArray columns = json[columns_key].toArray();
+    listed.settings = std::move(settings);
+    std::map<int, QJsonObject> rows;
     for (const auto& value : json[members_key].toArray()) {
-        auto member = TRY(memberFromJson(value.toObject(), columns, folder));
-        listed.members.insert_or_assign(value.toObject()[place_key].toInt(-1), std::move(member));
+        const QJsonObject row = value.toObject();
+        rows.insert_or_assign(row[place_key].toInt(-1), row);
     }
-    return listed;
+    for (const auto& [place, row] : rows) {
+        auto signal = TRY(settingsFromJson(identify_settings(), row[signal_key].toObject()));
+        listed.settings.of_recordings.push_back(std::move(signal.signal));
+        listed.recordings.push_back(rowFromJson(row, json[columns_key].toArray(), folder));
+        listed.recordings.back().id = number(idAt(place, recordings));
+    }
+    set.listed = std::make_shared<const MeasurementSet>(std::move(listed));
+    set.by_panel = json[by_panel_key].toBool();
+    return {};
 }
 
 Result<Settings> analysisSettingsFromJson(const QJsonObject& json) {
@@ -245,58 +273,61 @@ Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
     return analysis;
 }
 
-QJsonObject recordingToJson(const SessionRecording& recording, const QDir& folder) {
+QJsonObject recordingToJson(const ClosedRecording& recording, const QDir& folder) {
     QJsonObject json = recording.unknown;
     json[path_key] = storedPath(recording.path, folder);
     json[sha256_key] = recording.sha256;
     json[options_key] = optionsToJson(recording.options);
-    json[analyses_key] = listToJson(recording.analyses, wishToJson);
+    json[analyses_key] =
+        listToJson(recording.analyses.value_or(std::vector<AnalysisWish>()), wishToJson);
     return json;
 }
 
-Result<SessionRecording> recordingFromJson(const QJsonObject& json, const QDir& folder) {
-    SessionRecording recording;
+Result<ClosedRecording> recordingFromJson(const QJsonObject& json, const QDir& folder) {
+    ClosedRecording recording;
     recording.path = pathFromJson(json, folder);
     recording.sha256 = json[sha256_key].toString();
     recording.options = optionsFromJson(json[options_key].toObject());
-    TRY(readList(json[analyses_key], recording.analyses, wishFromJson));
+    TRY(readList(json[analyses_key], recording.analyses.emplace(), wishFromJson));
     recording.unknown = without(json, {path_key, sha256_key, options_key, analyses_key});
     return recording;
 }
 
-QJsonObject setToJson(const SessionSet& set, const QDir& folder) {
+QJsonObject setToJson(const RecordingSet& set, const std::vector<ClosedRecording>& recordings,
+                      const QDir& folder) {
     IdentifySettings model;
     model.model = set.model;
     QJsonObject json = set.unknown;
     json[name_key] = set.name;
     json[model_key] = identifyText("model", model);
-    json[recordings_key] = listToJson(set.recordings, [](int place) { return place; });
+    json[recordings_key] = listToJson(set.recordings, placeOf, recordings);
     if (set.listed) {
-        json[listed_key] = listedToJson(*set.listed, folder);
+        json[listed_key] = listedToJson(set, recordings, folder);
     }
-    if (!set.result.json.isEmpty()) {
-        json[result_key] = set.result.json;
-        json[up_to_date_key] = set.result.up_to_date;
+    if (!set.kept.isEmpty()) {
+        json[result_key] = set.kept;
+        json[up_to_date_key] = set.kept_up_to_date;
     }
     return json;
 }
 
-Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QDir& folder) {
-    SessionSet set;
+Result<RecordingSet> setFromJson(const QJsonObject& json, std::size_t recordings,
+                                 const QDir& folder) {
+    RecordingSet set;
     set.name = json[name_key].toString();
     for (const auto& value : json[recordings_key].toArray()) {
-        if (const int place = value.toInt(-1); place >= 0 && place < recordings) {
-            set.recordings.push_back(place);
+        if (const auto id = idAt(value.toInt(-1), recordings); id != RecordingId::none) {
+            set.recordings.push_back(id);
         }
     }
     IdentifySettings model;
     TRY(readIdentify("model", json[model_key], model));
     set.model = model.model;
     if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
-        auto read = TRY(listedFromJson(listed.toObject(), folder));
-        set.listed = std::move(read);
+        TRY(readListed(listed.toObject(), recordings, folder, set));
     }
-    set.result = {json[result_key].toObject(), json[up_to_date_key].toBool()};
+    set.kept = json[result_key].toObject();
+    set.kept_up_to_date = json[up_to_date_key].toBool();
     set.unknown = without(
         json, {name_key, model_key, recordings_key, listed_key, result_key, up_to_date_key});
     return set;
@@ -304,8 +335,9 @@ Result<SessionSet> setFromJson(const QJsonObject& json, int recordings, const QD
 
 // `json` has the keys of a later version, which stay.
 QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& folder) {
-    const QJsonArray logs = listToJson(drift.logs, [&folder](const DriftLog& log) {
-        return QJsonObject{{path_key, storedPath(log.path, folder)}, {sha256_key, log.sha256}};
+    const QJsonArray logs = listToJson(drift.logs, [&folder](const RecordingRef& log) {
+        return QJsonObject{{path_key, storedPath(pathText(log), folder)},
+                           {sha256_key, text(log.sha256)}};
     });
     const QJsonObject settings = settingsToJson(drift_settings(), drift.settings);
     if (!logs.isEmpty() || !settings.isEmpty()) {
@@ -319,8 +351,10 @@ Result<DriftInput> driftFromJson(const QJsonObject& json, const QDir& folder) {
     auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
     DriftInput drift{{}, std::move(settings)};
     for (const auto& value : json[logs_key].toArray()) {
-        const QJsonObject log = value.toObject();
-        drift.logs.push_back({pathFromJson(log, folder), log[sha256_key].toString()});
+        const QJsonObject json_log = value.toObject();
+        RecordingRef& log = drift.logs.emplace_back();
+        log.path = pathFromJson(json_log, folder).toStdU16String();
+        log.sha256 = json_log[sha256_key].toString().toStdString();
     }
     return drift;
 }
@@ -363,23 +397,6 @@ void keepWithin(int& place, std::size_t count) {
     place = place >= 0 && place < static_cast<int>(count) ? place : -1;
 }
 
-int placeOf(const std::vector<RecordingEntry>& recordings, RecordingId id) {
-    const auto found = std::ranges::find(recordings, id, &RecordingEntry::id);
-    return found == recordings.end() ? -1 : static_cast<int>(found - recordings.begin());
-}
-
-// The same by other keys of the members: `key` of each; negative ones for those without.
-template <class Key, class Before>
-ListedSetBy<Key> renamed(const ListedSetBy<Before>& listed,
-                         const std::function<std::optional<Key>(Before)>& key) {
-    ListedSetBy<Key> other{listed.settings, {}, listed.by_panel};
-    int without = -static_cast<int>(listed.members.size());  // rows of logs keep their order
-    for (const auto& [before, member] : listed.members) {
-        other.members.emplace(key(before).value_or(static_cast<Key>(without++)), member);
-    }
-    return other;
-}
-
 }  // namespace
 
 Session sessionOf(const Document& document, const TrackView& tracks) {
@@ -389,27 +406,16 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
     session.dossier = document.dossier().dossier();
     session.live = document.live();
     for (const RecordingEntry& entry : document.recordings()) {
-        session.recordings.push_back(
-            {entry.path, entry.sha256, entry.options, wishesOf(document.analyses(), entry.id), {}});
+        session.recordings.push_back(asClosed(entry, document.analyses()));
     }
     if (const RecordingEntry* current = document.currentRecording()) {
-        session.current = placeOf(document.recordings(), current->id);
+        session.current = placeOf(current->id, session.recordings);
     }
     for (const RecordingSet& set : document.sets().all()) {
-        SessionSet stored{set.name, {}, set.model, {}, document.sets().kept(set), {}};
-        for (const RecordingId id : set.recordings) {
-            stored.recordings.push_back(placeOf(document.recordings(), id));
-        }
-        if (set.listed) {
-            stored.listed = renamed<int, RecordingId>(*set.listed, [&](RecordingId id) {
-                const int place = placeOf(document.recordings(), id);
-                return place < 0 ? std::nullopt : std::optional(place);
-            });
-        }
         if (document.sets().current() == &set) {
             session.current_set = static_cast<int>(session.sets.size());
         }
-        session.sets.push_back(std::move(stored));
+        session.sets.push_back(document.sets().asKept(set));
     }
     session.drift = {document.drift().logs(), document.drift().settings()};
     const PlotContent content = tracks.content();
@@ -432,42 +438,39 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
     document.startWith(session.settings, session.tolerance);
     document.dossier().startWith(session.dossier);
     std::vector<RecordingId> ids;
-    for (const SessionRecording& recording : session.recordings) {
-        ids.push_back(recording.path.isEmpty() ? RecordingId::none
-                                               : document.restore(recording.path, recording.options,
-                                                                  recording.analyses));
+    for (const ClosedRecording& recording : session.recordings) {
+        ids.push_back(recording.path.isEmpty() ? RecordingId::none : document.restore(recording));
     }
-    std::vector<SetId> set_ids;
-    for (const SessionSet& set : session.sets) {
-        std::vector<RecordingId> members;
-        for (const int place : set.recordings) {
-            if (const auto id = ids[static_cast<std::size_t>(place)]; id != RecordingId::none) {
-                members.push_back(id);
+    const auto id_of = [&](RecordingId id) {
+        const int place = placeOf(id, session.recordings);
+        return place < 0 ? RecordingId::none : ids[static_cast<std::size_t>(place)];
+    };
+    std::vector<RecordingSet> sets = session.sets;
+    for (RecordingSet& set : sets) {
+        set.name = set.name.trimmed();
+        std::ranges::transform(set.recordings, set.recordings.begin(), id_of);
+        std::erase(set.recordings, RecordingId::none);
+        if (!set.listed) {
+            continue;
+        }
+        MeasurementSet listed = *set.listed;
+        for (RecordingRef& row : listed.recordings) {
+            row.id = number(id_of(static_cast<RecordingId>(row.id)));
+        }
+        set.listed = std::make_shared<const MeasurementSet>(std::move(listed));
+        // A recording that was missing when the session was saved is there again.
+        for (const RecordingId id : set.recordings) {
+            if (!rowOf(set, id)) {
+                set.listed = std::make_shared<const MeasurementSet>(
+                    withRowFor(*set.listed, document.recording(id)->path, id));
             }
         }
-        set_ids.push_back(document.sets().add(members));
-        document.sets().rename(set_ids.back(), set.name);
-        document.sets().setModel(set_ids.back(), set.model);
-        if (set.listed) {
-            ListedSet listed = renamed<RecordingId, int>(*set.listed, [&](int place) {
-                const auto known = place >= 0 && place < static_cast<int>(ids.size());
-                const auto id = known ? ids[static_cast<std::size_t>(place)] : RecordingId::none;
-                return id == RecordingId::none ? std::nullopt : std::optional(id);
-            });
-            // A recording that was missing when the session was saved is there again.
-            for (const RecordingId id : members) {
-                if (!listed.members.contains(id)) {
-                    listed = withRowFor(listed, document.recording(id)->path, id);
-                }
-            }
-            document.sets().setListed(set_ids.back(), std::move(listed));
-        }
     }
-    for (std::size_t place = 0; place < set_ids.size(); ++place) {
-        document.sets().setKept(set_ids[place], session.sets[place].result);
-    }
-    if (session.current_set >= 0) {
-        document.sets().setCurrent(set_ids[static_cast<std::size_t>(session.current_set)]);
+    document.sets().restoreSets(std::move(sets));
+    if (const auto& all = document.sets().all(); !all.empty()) {
+        const auto last = static_cast<int>(all.size()) - 1;
+        const int current = session.current_set >= 0 ? session.current_set : last;
+        document.sets().setCurrent(all[static_cast<std::size_t>(current)].id);
     }
     document.drift().startWith(session.drift);
     document.undoStack().clear();  // of this session alone
@@ -536,7 +539,7 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     json[settings_key] = settingsToJson(analysis_settings(), session.settings);
     json[tolerance_key] = identifyText("tolerance", tolerance);
     json[recordings_key] = listToJson(session.recordings, recordingToJson, folder);
-    json[sets_key] = listToJson(session.sets, setToJson, folder);
+    json[sets_key] = listToJson(session.sets, setToJson, session.recordings, folder);
     describe(JsonWriter(json), session);
     // Keys of a later version stay in the gyro's object of the unknown keys.
     QJsonObject gyro = json[gyro_key].toObject();
@@ -575,7 +578,10 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     TRY(readIdentify("tolerance", json[tolerance_key], tolerance));
     session.tolerance = tolerance.tolerance;
     TRY(readList(json[recordings_key], session.recordings, recordingFromJson, folder));
-    const auto recordings = static_cast<int>(session.recordings.size());
+    const std::size_t recordings = session.recordings.size();
+    for (std::size_t place = 0; place < recordings; ++place) {
+        session.recordings[place].id = idAt(static_cast<int>(place), recordings);
+    }
     TRY(readList(json[sets_key], session.sets, setFromJson, recordings, folder));
     describe(JsonReader(json), session);
     keepWithin(session.current, session.recordings.size());

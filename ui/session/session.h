@@ -25,24 +25,6 @@
 
 namespace vybeg::ui {
 
-// A recording of a session and the analyses of it.
-struct SessionRecording {
-    QString path;    // absolute
-    QString sha256;  // empty: not known yet
-    OpenOptions options;
-    std::vector<AnalysisWish> analyses;
-    QJsonObject unknown;  // as Session::unknown
-};
-
-struct SessionSet {
-    QString name;                 // empty: default name
-    std::vector<int> recordings;  // places in Session::recordings
-    FitOptions::Model model = FitOptions::Model::automatic;
-    std::optional<ListedSetBy<int>> listed;  // by places in Session::recordings
-    KeptResult result;
-    QJsonObject unknown;  // as Session::unknown
-};
-
 // What the plots show.
 struct SessionView {
     ZoomState zoom;
@@ -60,9 +42,9 @@ struct Session {
     Tolerance tolerance;
     Dossier dossier;
     bool live = true;
-    std::vector<SessionRecording> recordings;
-    int current = -1;  // place in `recordings`; -1: none
-    std::vector<SessionSet> sets;
+    std::vector<ClosedRecording> recordings;
+    int current = -1;                // place in `recordings`; -1: none
+    std::vector<RecordingSet> sets;  // by the ids of `recordings`
     int current_set = -1;
     int current_analysis = -1;  // place among all analyses
     DriftInput drift;

@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace vybeg::ui {
@@ -17,12 +18,6 @@ namespace vybeg::ui {
 namespace {
 
 const QString backup_key = QStringLiteral("backup_of");
-
-template <class Id>
-QJsonObject valueOf(const std::map<Id, QJsonObject>& values, Id id) {
-    const auto found = values.find(id);
-    return found == values.end() ? QJsonObject() : found->second;
-}
 
 // What a copy holds, by which its owner knows it.
 struct CopyContent {
@@ -191,21 +186,21 @@ void SessionKeeper::begin(Session session) {
     hashes_.clear();
     hashes_of_logs_.clear();
     unknown_of_recordings_.clear();
-    unknown_of_sets_.clear();
     opening_ = true;
     keepAbsent(session);
-    for (const DriftLog& log : session.drift.logs) {
+    for (const RecordingRef& log : session.drift.logs) {
         hashes_of_logs_[log.path] = log.sha256;
     }
     wanted_ids_ = restoreSession(session, document_);
     const std::vector<RecordingSet>& sets = document_.sets().all();
-    for (std::size_t set = 0; set < session.sets.size(); ++set) {
-        unknown_of_sets_[sets[set].id] = session.sets[set].unknown;
-        for (std::size_t k = 0; k < absent_.size(); ++k) {
-            if (std::ranges::count(session.sets[set].recordings, absent_[k].place) > 0) {
-                absent_[k].sets.push_back(sets[set].id);
+    int absent_id = 0;
+    for (ClosedRecording& absent : absent_) {
+        for (std::size_t set = 0; set < session.sets.size(); ++set) {
+            if (std::ranges::count(session.sets[set].recordings, absent.id) > 0) {
+                absent.sets.push_back(sets[set].id);
             }
         }
+        absent.id = static_cast<RecordingId>(--absent_id);
     }
     for (std::size_t k = 0; k < wanted_ids_.size(); ++k) {
         if (wanted_ids_[k] != RecordingId::none) {
@@ -234,15 +229,18 @@ void SessionKeeper::keepAbsent(Session& session) {
         follow(options.channel_d_file);
         std::ranges::for_each(options.join, follow);
     };
-    for (std::size_t place = 0; place < session.recordings.size(); ++place) {
-        SessionRecording& recording = session.recordings[place];
+    const auto follow_row = [&](RecordingRef& row) {
+        follow_all(row.open);
+        row.path = present(pathText(row), QString::fromStdString(row.sha256)).toStdU16String();
+    };
+    for (ClosedRecording& recording : session.recordings) {
         follow_all(recording.options);
         recording.path = present(recording.path, recording.sha256);
         if (QFileInfo::exists(recording.path)) {
             continue;
         }
         const std::size_t absent = absent_.size();
-        absent_.push_back({recording, {}, static_cast<int>(place), false});
+        absent_.push_back(recording);
         Message message = warningMessage([path = recording.path] {
             return tr("The session's recording %1 is not there. The session keeps its place and "
                       "its analyses.")
@@ -255,37 +253,30 @@ void SessionKeeper::keepAbsent(Session& session) {
         document_.report(message);
         recording.path.clear();
     }
-    for (DriftLog& log : session.drift.logs) {
-        log.path = present(log.path, log.sha256);
-    }
-    for (SessionSet& set : session.sets) {
-        if (!set.listed) {
-            continue;
-        }
-        for (auto& [place, member] : set.listed->members) {
-            RecordingRef& row = member.row;
-            follow_all(row.open);
-            row.path = present(QString::fromStdU16String(row.path.u16string()),
-                               QString::fromStdString(row.sha256))
-                           .toStdU16String();
+    std::ranges::for_each(session.drift.logs, follow_row);
+    for (RecordingSet& set : session.sets) {
+        if (set.listed) {
+            auto listed = std::make_shared<MeasurementSet>(*set.listed);
+            std::ranges::for_each(listed->recordings, follow_row);
+            set.listed = std::move(listed);
         }
     }
 }
 
 void SessionKeeper::supply(std::size_t absent, const QString& path) {
-    if (absent >= absent_.size() || absent_[absent].supplied) {
+    if (absent >= absent_.size() || absent_[absent].path.isEmpty()) {
         return;
     }
-    Absent& found = absent_[absent];
-    found.supplied = true;
-    const auto id = document_.restore(path, found.recording.options, found.recording.analyses);
-    hashes_[id] = found.recording.sha256;
-    unknown_of_recordings_[id] = found.recording.unknown;
+    const QString missing = std::exchange(absent_[absent].path, {});
+    ClosedRecording found = absent_[absent];
+    found.path = path;
+    const auto id = document_.restore(found);
+    hashes_[id] = found.sha256;
+    unknown_of_recordings_[id] = found.unknown;
     for (const SetId set_id : found.sets) {
         if (const RecordingSet* set = document_.sets().find(set_id)) {
             if (set->listed) {
-                document_.sets().setListed(set_id,
-                                           withRowFor(*set->listed, found.recording.path, id));
+                document_.sets().setListed(set_id, withRowFor(*set->listed, missing, id));
             }
             document_.sets().addTo(set_id, {id});
         }
@@ -322,10 +313,10 @@ void SessionKeeper::identifyAgain() {
         return document_.recording(id)->recording.has_value();
     };
     for (const RecordingSet& set : document_.sets().all()) {
-        const bool complete = std::ranges::none_of(absent_, [&set](const Absent& absent) {
+        const bool complete = std::ranges::none_of(absent_, [&set](const ClosedRecording& absent) {
             return std::ranges::count(absent.sets, set.id) > 0;
         });
-        if (set.kept.up_to_date && complete && hasMembers(set) &&
+        if (set.kept_up_to_date && complete && hasMembers(set) &&
             std::ranges::all_of(set.recordings, is_open)) {
             document_.sets().identifySet(set.id);
         }
@@ -349,11 +340,11 @@ void SessionKeeper::compareHashesOfLogs() {
     if (!document_.drift().outcome()) {
         return;
     }
-    for (const DriftLog& log : document_.drift().logs()) {
+    for (const RecordingRef& log : document_.drift().logs()) {
         const auto stated = hashes_of_logs_.find(log.path);
-        if (stated != hashes_of_logs_.end() && !stated->second.isEmpty() &&
+        if (stated != hashes_of_logs_.end() && !stated->second.empty() &&
             stated->second != log.sha256) {
-            warnOfOtherFile(log.path);
+            warnOfOtherFile(pathText(log));
         }
     }
     hashes_of_logs_.clear();
@@ -377,23 +368,20 @@ Session SessionKeeper::present() const {
     if (shown != document_.analyses().end()) {
         session.current_analysis = static_cast<int>(shown - document_.analyses().begin());
     }
-    const std::vector<RecordingSet>& sets = document_.sets().all();
-    for (std::size_t k = 0; k < session.recordings.size(); ++k) {
-        session.recordings[k].unknown =
-            valueOf(unknown_of_recordings_, document_.recordings()[k].id);
+    for (ClosedRecording& recording : session.recordings) {
+        if (const auto found = unknown_of_recordings_.find(recording.id);
+            found != unknown_of_recordings_.end()) {
+            recording.unknown = found->second;
+        }
     }
-    for (std::size_t k = 0; k < session.sets.size(); ++k) {
-        session.sets[k].unknown = valueOf(unknown_of_sets_, sets[k].id);
-    }
-    for (const Absent& absent : absent_) {
-        if (absent.supplied) {
+    for (const ClosedRecording& absent : absent_) {
+        if (absent.path.isEmpty()) {
             continue;
         }
-        const auto place = static_cast<int>(session.recordings.size());
-        session.recordings.push_back(absent.recording);
-        for (std::size_t set = 0; set < sets.size(); ++set) {
-            if (std::ranges::count(absent.sets, sets[set].id) > 0) {
-                session.sets[set].recordings.push_back(place);
+        session.recordings.push_back(absent);
+        for (RecordingSet& set : session.sets) {
+            if (std::ranges::count(absent.sets, set.id) > 0) {
+                set.recordings.push_back(absent.id);
             }
         }
     }
@@ -404,10 +392,10 @@ QJsonObject SessionKeeper::content() const {
     Session session = present();
     session.view = {};
     session.current_analysis = -1;
-    for (SessionRecording& recording : session.recordings) {
+    for (ClosedRecording& recording : session.recordings) {
         recording.sha256.clear();
     }
-    for (DriftLog& log : session.drift.logs) {
+    for (RecordingRef& log : session.drift.logs) {
         log.sha256.clear();
     }
     session.current = -1;

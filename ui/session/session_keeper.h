@@ -11,8 +11,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <filesystem>
 #include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 namespace vybeg::ui {
@@ -63,14 +65,6 @@ signals:
     void fileWanted(std::size_t absent, const QString& name);
 
 private:
-    // A recording of the session that is not where it was, with the sets that hold it.
-    struct Absent {
-        SessionRecording recording;
-        std::vector<SetId> sets;  // ids in the document
-        int place = 0;            // in the session
-        bool supplied = false;
-    };
-
     // The session with the absent recordings.
     Session present() const;
     // What saving keeps from a change: the session without its view and hashes.
@@ -91,16 +85,17 @@ private:
     SessionBackup backup_;
     QString path_;
     QJsonObject unknown_;
-    // As Session::unknown, by the recording's and the set's id.
+    // As Session::unknown, by the recording's id.
     std::map<RecordingId, QJsonObject> unknown_of_recordings_;
-    std::map<SetId, QJsonObject> unknown_of_sets_;
     QByteArray in_file_;  // digest of the file as it was opened or saved here
     AnalysisId current_analysis_ = AnalysisId::none;
     std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};
     QJsonObject saved_;  // content() when it was saved or opened
-    std::vector<Absent> absent_;
-    std::map<RecordingId, QString> hashes_;      // that the session states, by recording
-    std::map<QString, QString> hashes_of_logs_;  // likewise, by path
+    // Recordings of the session that are not where they were, under negative ids. Without a path:
+    // it is found.
+    std::vector<ClosedRecording> absent_;
+    std::map<RecordingId, QString> hashes_;  // that the session states, by recording
+    std::map<std::filesystem::path, std::string> hashes_of_logs_;  // likewise, by path
     // Until the session that is being opened is computed.
     bool opening_ = false;
     Session wanted_;

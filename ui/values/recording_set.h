@@ -6,45 +6,13 @@
 #include <QJsonObject>
 #include <QString>
 
-#include <map>
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
-
-// The result of a set of the document.
-struct ResonatorOutcome : SetResult {
-    std::vector<RecordingId> recordings;  // ids in the document, as set.recordings
-    double seconds = 0;                   // duration
-    QJsonObject kept;                     // saved_result_json()
-};
-
-// Result of an identification that a session brings, shown until the set is identified here.
-struct KeptResult {
-    QJsonObject json;         // saved_result_json(); empty: none
-    bool up_to_date = false;  // with the recordings and settings of the session
-};
-
-// One recording, or one log, as its row of a measurement list gives it.
-struct ListedMember {
-    RecordingRef row;
-    SignalSettings signal;
-};
-
-// What a measurement list says of a set. Recordings that come to the set later have the signal
-// settings of `settings`. `Key`: what names a recording, an id in the document or a place in a
-// session.
-template <class Key>
-struct ListedSetBy {
-    IdentifySettings settings;
-    // Negative or of no member of the set: a row whose recording is not in it. Logs, which no
-    // document opens, are all such rows, in their order.
-    std::map<Key, ListedMember> members;
-    // Of logs that no list names: calibration and tolerances are those of the panel.
-    bool by_panel = false;
-};
-
-using ListedSet = ListedSetBy<RecordingId>;
 
 // Recordings of one resonator, started at different angles, that are identified together. A single
 // recording is a set of one.
@@ -55,12 +23,26 @@ struct RecordingSet {
     std::vector<RecordingId>
         recordings;  // ids in the document, in the order in which they were added
     FitOptions::Model model = FitOptions::Model::automatic;
-    std::shared_ptr<const ListedSet> listed;  // null: the settings of the panel hold
-    // The newest last. All have the present recordings of the set; otherwise only the last one
-    // remains, out of date.
-    std::vector<std::shared_ptr<const ResonatorOutcome>> outcomes;
-    KeptResult kept;
+    // What a measurement list says of the set: its rows with the ids of their recordings, none for
+    // a row whose recording is not there. Logs, which no document opens, are all such rows.
+    // Recordings that come to the set later have the signal settings of the list. Null: the
+    // settings of the panel hold.
+    std::shared_ptr<const MeasurementSet> listed;
+    // Of logs that no list names: calibration and tolerances are those of the panel.
+    bool by_panel = false;
+    // The newest last, with the ids of their recordings. All have the present recordings of the
+    // set; otherwise only the last one remains, out of date.
+    std::vector<std::shared_ptr<const SetResult>> outcomes;
+    // Result that a session brings, shown until the set is identified here.
+    QJsonObject kept;              // saved_result_json(); empty: none
+    bool kept_up_to_date = false;  // with the recordings and settings of the session
+    // Keys of the set in its session that this program does not know, written again.
+    QJsonObject unknown;
 };
+
+inline QString pathText(const RecordingRef& recording) {
+    return QString::fromStdU16String(recording.path.u16string());
+}
 
 // Whether it has logs in place of recordings: they are the rows of `listed`.
 inline bool isOfLogs(const RecordingSet& set) {
@@ -69,12 +51,24 @@ inline bool isOfLogs(const RecordingSet& set) {
 
 // Whether it has what an identification needs, recordings or logs.
 inline bool hasMembers(const RecordingSet& set) {
-    return isOfLogs(set) ? !set.listed->members.empty() : !set.recordings.empty();
+    return isOfLogs(set) ? !set.listed->recordings.empty() : !set.recordings.empty();
 }
 
 // Whether it shows something without an open recording.
 inline bool hasContent(const RecordingSet& set) {
-    return isOfLogs(set) || !set.kept.json.isEmpty();
+    return isOfLogs(set) || !set.kept.isEmpty();
+}
+
+// The place of a recording's row in what the list says of the set; none: it has no row.
+inline std::optional<std::size_t> rowOf(const RecordingSet& set, RecordingId id) {
+    if (set.listed) {
+        const auto& rows = set.listed->recordings;
+        const auto found = std::ranges::find(rows, number(id), &RecordingRef::id);
+        if (found != rows.end()) {
+            return static_cast<std::size_t>(found - rows.begin());
+        }
+    }
+    return std::nullopt;
 }
 
 // Passport for the comparison of sets.

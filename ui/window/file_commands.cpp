@@ -45,8 +45,8 @@ Status stayAsTheyAre(const Document& document, const QString& path) {
             add(log.path, log.open);
         }
     }
-    for (const DriftLog& log : document.drift().logs()) {
-        open.emplace_back(log.path.toStdU16String());
+    for (const RecordingRef& log : document.drift().logs()) {
+        open.push_back(log.path);
     }
     const auto taken = [target = std::filesystem::path(path.toStdU16String())](const auto& each) {
         return same_file(each, target);

@@ -75,8 +75,8 @@ QString openedText(const Document& document) {
         }
     }
     QStringList logs;
-    for (const DriftLog& log : document.drift().logs()) {
-        logs << log.name().toHtmlEscaped();
+    for (const RecordingRef& log : document.drift().logs()) {
+        logs << QString::fromStdString(log.name()).toHtmlEscaped();
     }
     if (!logs.isEmpty()) {
         opened << MainWindow::tr("whole-angle logs %1: page %2")

@@ -68,8 +68,9 @@ class TestMeasurementList : public QObject {
         return path;
     }
 
-    MeasurementList list(const QByteArray& text, const ListDefaults& defaults = {}) const {
-        const auto list = read_measurement_list(write(text), defaults);
+    MeasurementList list(const QByteArray& text, const OpenOptions& open = {},
+                         const IdentifySettings& settings = {}) const {
+        const auto list = read_measurement_list(write(text), open, settings);
         if (!list) {
             qFatal("%s", english(list.error()).c_str());
         }
@@ -242,13 +243,14 @@ private slots:
     }
 
     void a_row_goes_before_the_command_line_which_goes_before_nothing() {
-        ListDefaults line;
-        line.settings.signal.from_s = 1;
-        line.settings.signal.to_s = 9;
-        line.settings.windows.periods = 80;
-        line.open.rate_hz = 100;
+        IdentifySettings line;
+        line.signal.from_s = 1;
+        line.signal.to_s = 9;
+        line.windows.periods = 80;
+        OpenOptions open;
+        open.rate_hz = 100;
         const MeasurementList read =
-            list("file,from,rate,window\na.wav,2,200,500\nb.wav,,,\n", line);
+            list("file,from,rate,window\na.wav,2,200,500\nb.wav,,,\n", open, line);
         const MeasurementSet& own = read.sets[0];
         QCOMPARE(own.settings.signal.from_s, std::optional(2.0));
         QCOMPARE(own.settings.signal.to_s, std::optional(9.0));
@@ -347,7 +349,7 @@ private slots:
         QFETCH(QByteArray, answer);
         QFETCH(bool, yes);
         const auto read = read_measurement_list(
-            write("file,date,exchanged\na.wav," + date + "," + answer + "\n"), {});
+            write("file,date,exchanged\na.wav," + date + "," + answer + "\n"), {}, {});
         QVERIFY(read);
         const Conditions& told = read->sets[0].recordings[0].conditions;
         QCOMPARE(QString::fromStdString(told.date), iso);
@@ -412,7 +414,7 @@ private slots:
 
     void a_workbook_is_no_list_and_named() {
         for (const QByteArray& start : {QByteArray("PK\3\4"), QByteArray("\xD0\xCF\x11\xE0")}) {
-            const auto read = read_measurement_list(write(start + QByteArray(500, '\xB4')), {});
+            const auto read = read_measurement_list(write(start + QByteArray(500, '\xB4')), {}, {});
             QVERIFY(!read);
             const std::string text = english(read.error());
             QVERIFY2(text.ends_with("it is a workbook; save the sheet as CSV."), text.c_str());
@@ -433,7 +435,7 @@ private slots:
     }
 
     void a_list_without_files_names_its_columns() {
-        const auto read = read_measurement_list(write("# March\nFiles;Set\na.wav;A\n"), {});
+        const auto read = read_measurement_list(write("# March\nFiles;Set\na.wav;A\n"), {}, {});
         QVERIFY(!read);
         const QString text = QString::fromStdString(english(read.error()));
         QVERIFY2(text.contains("line 2") && text.contains("its columns are Files, set"),
@@ -444,7 +446,7 @@ private slots:
         const auto read =
             read_measurement_list(write("file,comment,bias_v,gyro\na.wav,=1+1,-3,@G\nb.wav,-cmd|x,"
                                         "\"-3,5\",@G\nc.wav,+5,,@G\n"),
-                                  {});
+                                  {}, {});
         QVERIFY(read);
         QStringList told;
         for (const Diagnostic& warning : read->warnings) {
@@ -462,7 +464,7 @@ private slots:
         for (const char* name : {"=1+1.wav", "plain.wav", "-5.wav"}) {
             std::ofstream(folder_.filePath(QString("named/") + name).toStdString()) << "x";
         }
-        const auto of_folder = list_of_folder(folder_.filePath("named").toStdString(), {},
+        const auto of_folder = list_of_folder(folder_.filePath("named").toStdString(), {}, {},
                                               [](const auto&) { return false; });
         QVERIFY(of_folder);
         QStringList named;
@@ -478,7 +480,7 @@ private slots:
         QFETCH(QByteArray, text);
         QFETCH(QString, sentence);
         const std::filesystem::path path = write(text);
-        const auto read = read_measurement_list(path, {});
+        const auto read = read_measurement_list(path, {}, {});
         QVERIFY(!read);
         QVERIFY(read.error().code == ErrorCode::list_invalid);
         QCOMPARE(exit_status(read.error().code), 3);
@@ -534,10 +536,10 @@ private slots:
             QFile file(folder.filePath(name));
             QVERIFY(file.open(QIODevice::WriteOnly));
         }
-        ListDefaults defaults;
-        defaults.open.rate_hz = 100;
+        OpenOptions open;
+        open.rate_hz = 100;
         const auto read = list_of_folder(
-            folder.path().toStdString(), defaults,
+            folder.path().toStdString(), open, {},
             [](const std::filesystem::path& path) { return path.filename() == "results.csv"; });
         QVERIFY(read);
         QCOMPARE(read->sets.size(), std::size_t{2});

@@ -51,10 +51,10 @@ private slots:
         }
         QVERIFY(again == settings);
         QVERIFY(settings != DriftSettings{});
-        QCOMPARE(settings.reading.columns, std::string("t,theta=angle,amplitude=6"));
-        QCOMPARE(settings.reading.rad_per_angle_unit, std::numbers::pi / 180);
-        QCOMPARE(settings.reading.open.rate_hz, std::optional(10.0));
-        QCOMPARE(settings.reading.open.text->time_unit_s, std::optional(1e-3));
+        QCOMPARE(settings.log.names, std::string("t,theta=angle,amplitude=6"));
+        QCOMPARE(settings.log.rad_per_angle_unit, std::numbers::pi / 180);
+        QCOMPARE(settings.open.rate_hz, std::optional(10.0));
+        QCOMPARE(settings.open.text->time_unit_s, std::optional(1e-3));
     }
 
     void what_is_not_told_is_usual() {

@@ -20,7 +20,7 @@ class TestCalibrationOffers : public QObject, private WindowTest {
 
     QLabel& sentence() { return the<QLabel>("statistical"); }
     const Calibration& calibration() { return document().settings().calibration; }
-    std::shared_ptr<const ResonatorOutcome> outcome() {
+    std::shared_ptr<const SetResult> outcome() {
         return document().sets().outcome(*document().sets().current());
     }
 

@@ -94,7 +94,7 @@ class TestLogDialog : public QObject, private WindowTest {
             [&] { return sets().current() && sets().outcome(*sets().current()) != nullptr; },
             60000));
     }
-    const ResonatorOutcome& outcome() { return *sets().outcome(*sets().current()); }
+    const SetResult& outcome() { return *sets().outcome(*sets().current()); }
     QString state() { return childOf<QLabel>(*window_, "state").text(); }
 
     QByteArray one_channel_ = "t,X,Y\n";
@@ -351,11 +351,13 @@ private slots:
         QVERIFY(!html.contains("not finished yet"));
         const auto stored = stored_result(outcome(), identify_json(outcome()));
         QVERIFY(stored);
-        const StoredSet again = storedSet(*stored, {});
-        QVERIFY(again.settings_known && again.missing.isEmpty());
-        QVERIFY(again.list.sets.front().settings.logs == outcome().set.settings.logs);
+        const auto settings = settingsOf(*stored);
+        QVERIFY(settings);
+        MeasurementSet again{stored->set, stored->recordings, *settings};
+        QVERIFY(leaveOutMissing(again).isEmpty());
+        QVERIFY(again.settings.logs == outcome().set.settings.logs);
         const double tau_s = outcome().identification.runs.front().wave.tau_s.value;
-        sets().open(again.list);
+        sets().open({{}, {again}, {}});
         QCOMPARE(sets().all().size(), std::size_t(2));
         QVERIFY(document().recordings().empty());
         sets().identify();

@@ -42,7 +42,7 @@ private slots:
              {std::tuple{0., Angles{0, 90, 180, 270}, Angles{45, 135, 225, 315}},
               std::tuple{10., Angles{80, 170, 260, 350}, Angles{35, 125, 215, 305}},
               std::tuple{-100., Angles{10, 100, 190, 280}, Angles{55, 145, 235, 325}}}) {
-            ResonatorOutcome outcome;
+            SetResult outcome;
             outcome.identification.fit.model = ResonatorModel::structured;
             outcome.identification.settings.signal.calibration.angle_zero_deg = zero;
             const RoundPlot plot = rimPlot(outcome);
@@ -88,7 +88,7 @@ private slots:
 
     // Colours are those of recordings.
     void the_axes_of_the_rim_have_no_colour() {
-        ResonatorOutcome outcome;
+        SetResult outcome;
         ResonatorFit& fit = outcome.identification.fit;
         fit.model = ResonatorModel::structured;
         fit.resonator.theta_w_rad = fit.resonator.theta_tau_rad = {0.2, 0.01, {}};

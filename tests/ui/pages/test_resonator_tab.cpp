@@ -38,7 +38,7 @@ class TestResonatorTab : public QObject, private WindowTest {
 
     SetStore& setStore() { return window_->document().sets(); }
 
-    std::shared_ptr<const ResonatorOutcome> outcome() {
+    std::shared_ptr<const SetResult> outcome() {
         const RecordingSet* set = setStore().current();
         return set ? setStore().outcome(*set) : nullptr;
     }

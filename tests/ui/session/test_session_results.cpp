@@ -92,7 +92,7 @@ class TestSessionResults : public QObject, private WindowTest {
         waitIdle();
     }
 
-    std::shared_ptr<const ResonatorOutcome> outcome() {
+    std::shared_ptr<const SetResult> outcome() {
         const RecordingSet* set = document().sets().current();
         return set ? document().sets().outcome(*set) : nullptr;
     }
