@@ -132,7 +132,7 @@ extern "C" __attribute__((visibility("default"))) bool vybeg_hdf5_layout(
         if (array.rows > 0 && at < before) {
             return false;
         }
-        before = array.rows > 0 ? at + array.bytes() : before;
+        before = array.rows > 0 ? at + array.bytes : before;
         layout.places.push_back(at);
     }
     hsize_t size = 0;

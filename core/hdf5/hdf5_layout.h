@@ -12,12 +12,9 @@ namespace vybeg {
 struct Hdf5Array {
     std::string name;
     std::int64_t rows = 0;
+    std::int64_t bytes = 0;       // of all rows
     std::int64_t text_bytes = 0;  // of each row's text, in UTF-8; 0: float64
     std::string unit{};           // attribute of the dataset; empty: none
-
-    std::int64_t bytes() const {
-        return rows * (text_bytes == 0 ? static_cast<std::int64_t>(sizeof(double)) : text_bytes);
-    }
 };
 
 struct Hdf5Layout {

@@ -101,8 +101,7 @@ Status pass_cells(const TrackColumns& columns, const FlagCells& cells, const Byt
 
 // An array of a file whose bytes can be passed as often as they are needed.
 struct TrackArray : Hdf5Array {
-    std::int64_t size = 0;  // bytes
-    std::function<Status(const ByteSink&)> pass{};
+    std::function<Status(const ByteSink&)> pass;
 };
 
 // The bytes of a text in a format.
@@ -119,8 +118,8 @@ Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
     std::vector<TrackArray> arrays;
     for (std::size_t k = 0; k < track_number_columns; ++k) {
         arrays.push_back(
-            {{track_column_name(k), rows, 0, track_column_unit(k)},
-             rows * static_cast<std::int64_t>(sizeof(double)),
+            {{track_column_name(k), rows, rows * static_cast<std::int64_t>(sizeof(double)), 0,
+              track_column_unit(k)},
              [&columns, k](const ByteSink& sink) { return pass_numbers(columns, k, sink); }});
     }
     // No format has texts without any room.
@@ -129,20 +128,20 @@ Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
     for (const auto& [flags, rows_of] : counts) {
         width = std::max(width, text_bytes(flags_text(flags)).size());
     }
-    const auto cell_of = [=](const std::string& text, std::size_t bytes) {
+    const auto cell_of = [=](const std::string& text, std::size_t size) {
         std::string cell = text_bytes(text);
-        cell.resize(one_width ? bytes : cell.size());
+        cell.resize(one_width ? size : cell.size());
         return cell;
     };
     FlagCells cells;
-    std::size_t size = 0;
+    std::size_t bytes = 0;
     for (const auto& [flags, rows_of] : counts) {
         cells[flags] = cell_of(flags_text(flags), width);
-        size += rows_of * cells[flags].size();
+        bytes += rows_of * cells[flags].size();
     }
     arrays.push_back(
-        {{flag_column_name, rows, static_cast<std::int64_t>(width)},
-         static_cast<std::int64_t>(size),
+        {{flag_column_name, rows, static_cast<std::int64_t>(bytes),
+          static_cast<std::int64_t>(width)},
          [&columns, cells](const ByteSink& sink) { return pass_cells(columns, cells, sink); }});
     for (const std::string& line : header) {
         longest = std::max(longest, text_bytes(line).size());
@@ -151,9 +150,9 @@ Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
     for (const std::string& line : header) {
         lines += cell_of(line, longest);
     }
-    arrays.push_back({{header_name, std::ssize(header), static_cast<std::int64_t>(longest)},
-                      std::ssize(lines),
-                      [lines](const ByteSink& sink) { return sink(lines); }});
+    arrays.push_back(
+        {{header_name, std::ssize(header), std::ssize(lines), static_cast<std::int64_t>(longest)},
+         [lines](const ByteSink& sink) { return sink(lines); }});
     return arrays;
 }
 
@@ -173,7 +172,7 @@ Status write_member(OutputFile& file, StoredZip& zip, const TrackArray& array) {
         crc = crc_of(crc, bytes);
         return {};
     }));
-    TRY(zip.begin(array.name + ".npy", head.size() + static_cast<std::uint64_t>(array.size), crc));
+    TRY(zip.begin(array.name + ".npy", head.size() + static_cast<std::uint64_t>(array.bytes), crc));
     TRY(file.write(head));
     return array.pass(into(file));
 }
@@ -220,7 +219,7 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
 Status write_track_mat(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
     const auto arrays = TRY(arrays_of(columns, header, mat_text_cell, /*one_width=*/false));
-    if (std::ranges::any_of(arrays, [](const auto& each) { return each.size > most_mat_bytes; })) {
+    if (std::ranges::any_of(arrays, [](const auto& each) { return each.bytes > most_mat_bytes; })) {
         return file.failure(words(VYBEG_MESSAGE("Words",
                                                 "a MAT file has room for 4 GiB in each variable, "
                                                 "which %1 windows exceed; HDF5, NPZ and CSV have "
@@ -229,8 +228,9 @@ Status write_track_mat(OutputFile& file, const TrackColumns& columns,
     }
     TRY(file.write(mat_file_head()));
     for (const TrackArray& array : arrays) {
-        TRY(file.write(array.text_bytes == 0 ? mat_column_head(array.name, array.rows)
-                                             : mat_cells_head(array.name, array.rows, array.size)));
+        TRY(file.write(array.text_bytes == 0
+                           ? mat_column_head(array.name, array.rows)
+                           : mat_cells_head(array.name, array.rows, array.bytes)));
         TRY(array.pass(into(file)));
     }
     return {};
@@ -273,7 +273,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
             continue;  // has no place
         }
         TRY(write_up_to(layout.places[k]));
-        at += arrays[k].size;
+        at += arrays[k].bytes;
         TRY(arrays[k].pass(into(file)));
     }
     return write_up_to(layout.size);

@@ -1,9 +1,9 @@
 #include "core/recording/checks/recording_check.h"
 
-#include "core/base/dispatch.h"
 #include "core/base/guarded.h"
 #include "core/base/number_text.h"
 #include "core/numerics/fft.h"
+#include "core/numerics/lanes.h"
 #include "core/numerics/statistics.h"
 
 #include <Eigen/Dense>
@@ -276,24 +276,16 @@ struct Extent {
     bool is_finite() const { return std::isfinite(squares); }
 };
 
-using Eight = double __attribute__((vector_size(64)));
-
 // Eight parallel sums, into which the compiler must not split a single sum.
 VYBEG_DISPATCHED
 Extent extent_of(std::span<const double> x) {
-    constexpr std::size_t lanes = 8;
-    Eight sum{};
-    Eight squares{};
-    Eight highest{};
-    Eight lowest{};
+    Vec8 sum{};
+    Vec8 squares{};
+    Vec8 highest = x.size() >= lane_count ? load(x.data()) : Vec8{};
+    Vec8 lowest = highest;
     std::size_t j = 0;
-    if (x.size() >= lanes) {
-        __builtin_memcpy(&highest, x.data(), sizeof highest);
-        lowest = highest;
-    }
-    for (; j + lanes <= x.size(); j += lanes) {
-        Eight value;
-        __builtin_memcpy(&value, x.data() + j, sizeof value);
+    for (; j + lane_count <= x.size(); j += lane_count) {
+        const Vec8 value = load(x.data() + j);
         sum += value;
         squares += value * value;
         highest = value > highest ? value : highest;
@@ -306,7 +298,7 @@ Extent extent_of(std::span<const double> x) {
         extent.highest = std::max(extent.highest, high);
         extent.lowest = std::min(extent.lowest, low);
     };
-    for (std::size_t k = 0; k < lanes && j > 0; ++k) {
+    for (std::size_t k = 0; k < lane_count && j > 0; ++k) {
         take(sum[k], squares[k], highest[k], lowest[k]);
     }
     for (; j < x.size(); ++j) {
