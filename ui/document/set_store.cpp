@@ -409,12 +409,12 @@ void SetStore::identifySet(SetId id) {
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, std::move(open), [this, key](Result<SetResult> result) {
+    job_.identify(key, std::move(open), [this, key](Result<SetResult>&& result) {
         whenIdentified(key, std::move(result));
     });
 }
 
-void SetStore::whenIdentified(int key, Result<SetResult> result) {
+void SetStore::whenIdentified(int key, Result<SetResult>&& result) {
     const auto id = queue_.find(key)->set_id;
     if (result) {
         RecordingSet& set = *entry(id);

@@ -125,7 +125,7 @@ private:
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
-    void whenIdentified(int key, Result<SetResult> result);
+    void whenIdentified(int key, Result<SetResult>&& result);
 
     BackgroundJobs& job_;
     const SettingsModel& settings_;
