@@ -13,13 +13,12 @@ namespace {
 // Whether a set of the document is this one of a list.
 bool isSame(const RecordingSet& set, const MeasurementSet& listed) {
     if (!set.listed || set.name.toStdString() != listed.name ||
-        set.listed->members.size() != listed.recordings.size()) {
+        set.listed->recordings.size() != listed.recordings.size()) {
         return false;
     }
-    return std::ranges::all_of(set.listed->members, [&](const auto& member) {
+    return std::ranges::all_of(set.listed->recordings, [&](const RecordingRef& row) {
         return std::ranges::any_of(listed.recordings, [&](const RecordingRef& recording) {
-            return recording.path == member.second.row.path &&
-                   recording.open == member.second.row.open;
+            return recording.path == row.path && recording.open == row.open;
         });
     });
 }
