@@ -341,12 +341,6 @@ std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
     above.first_unnamed = table->holds_words(0) || first != FirstColumn::other;
     above.first_is_time = first == FirstColumn::time;
     read_header(above, format);
-    Channel& heading = format.headings[0];
-    if (above.first_unnamed && heading.name.empty() && heading.unit.empty()) {
-        heading.unit = axis_unit(above.lines, format.delimiter);
-    }
-    format.rates =
-        header_rates(above.lines, format.delimiter, format.columns, format.decimal_comma);
     if (format.columns <= most_columns) {
         find_columns(rows, choice, table->words, format);
     }

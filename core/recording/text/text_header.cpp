@@ -142,14 +142,37 @@ std::optional<RateLine> rate_line(std::string_view text) {
     return found.key.meaning != Meaning::other && is_alone ? std::optional(found) : std::nullopt;
 }
 
+// The unit of the times by a line that says so ("HUnit,ms", "Time markers scale: ms"); empty where
+// no line names one of time.
+std::string axis_unit(std::span<const std::string> lines, char delimiter) {
+    for (const std::string& line : lines) {
+        std::vector<std::string> fields = header_fields(line, delimiter);
+        if (const auto colon = line.find(':'); fields.size() != 2 && colon != std::string::npos) {
+            fields = {line.substr(0, colon), line.substr(colon + 1)};
+        }
+        if (fields.size() < 2) {
+            continue;
+        }
+        const std::string unit = to_utf8(trimmed(fields[1]));
+        if (meaning_of(fields[0]) == Meaning::axis_unit && seconds_per(unit)) {
+            return unit;
+        }
+    }
+    return {};
+}
+
+// The rate of each column of the table by the fields and lines above it that name a rate or a step
+// ("Sample Interval,2E-06", "# Samplerate: 10 kHz", "Delta_X", "Start,Increment" over their
+// values, "dt=0.001"). Empty where there is none, or where two of them disagree by more than their
+// digits.
 class RateSearch {
 public:
-    RateSearch(std::span<const std::string> lines, char delimiter, int columns, bool decimal_comma)
+    RateSearch(std::span<const std::string> lines, const TextFormat& format)
         : lines_(lines),
-          delimiter_(delimiter),
-          columns_(static_cast<std::size_t>(columns)),
-          group_(decimal_comma ? '.' : ','),
-          axis_unit_(axis_unit(lines, delimiter)) {}
+          delimiter_(format.delimiter),
+          columns_(static_cast<std::size_t>(format.columns)),
+          group_(format.decimal_comma ? '.' : ','),
+          axis_unit_(axis_unit(lines, format.delimiter)) {}
 
     std::vector<SampleRate> run() {
         for (std::size_t i = 0; i < lines_.size() && agree_; ++i) {
@@ -566,28 +589,11 @@ private:
 
 void read_header(const LinesAbove& above, TextFormat& format) {
     HeaderLines(above, format).run();
-}
-
-std::vector<SampleRate> header_rates(std::span<const std::string> lines, char delimiter,
-                                     int columns, bool decimal_comma) {
-    return RateSearch(lines, delimiter, columns, decimal_comma).run();
-}
-
-std::string axis_unit(std::span<const std::string> lines, char delimiter) {
-    for (const std::string& line : lines) {
-        std::vector<std::string> fields = header_fields(line, delimiter);
-        if (const auto colon = line.find(':'); fields.size() != 2 && colon != std::string::npos) {
-            fields = {line.substr(0, colon), line.substr(colon + 1)};
-        }
-        if (fields.size() < 2) {
-            continue;
-        }
-        const std::string unit = to_utf8(trimmed(fields[1]));
-        if (meaning_of(fields[0]) == Meaning::axis_unit && seconds_per(unit)) {
-            return unit;
-        }
+    Channel& first = format.headings[0];
+    if (above.first_unnamed && first.name.empty() && first.unit.empty()) {
+        first.unit = axis_unit(above.lines, format.delimiter);
     }
-    return {};
+    format.rates = RateSearch(above.lines, format).run();
 }
 
 }  // namespace vybeg
