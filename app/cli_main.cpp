@@ -163,7 +163,8 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", program);
     app.require_subcommand(1);
     app.footer(
-        "Amplitudes are in the recording's units, angles in rad, frequencies in Hz.\n"
+        "Amplitudes are in the recording's units, angles in rad (in a summary: degrees), "
+        "frequencies in Hz.\n"
         "Exit status: 0 done, 2 wrong usage, 3 the input cannot be read, 4 the analysis is "
         "impossible,\n5 the output cannot be written, 130 interrupted.");
 

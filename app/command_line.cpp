@@ -70,7 +70,8 @@ std::string unknown_option(const CLI::App& app, const std::string& word) {
     const std::size_t begin = std::min(word.find_first_not_of('-'), word.size());
     const std::string name = word.substr(begin, word.find('=') - begin);
     const CLI::App& command = command_of(app);
-    if (&command == &app) {
+    const bool has_commands = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+    if (&command == &app && has_commands) {
         return "A subcommand is required before " + plain_text(word) + ".";
     }
     if (word == "--" + name && std::ranges::count(option_names(command), name) > 0) {

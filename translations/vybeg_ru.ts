@@ -1364,6 +1364,10 @@
         <translation>Недопустимое значение «%3» параметра %2: %4.</translation>
     </message>
     <message>
+        <source>%1: the folder holds no recording. Choose one that does, or a measurement list.</source>
+        <translation>%1: в папке нет записей. Выберите другую папку или список измерений.</translation>
+    </message>
+    <message>
         <source>%1: there is no such file. Check the name and the folder.</source>
         <translation>%1: такого файла нет. Проверьте имя и папку.</translation>
     </message>
@@ -1580,6 +1584,14 @@
         <translation>Отсчёты потеряны или повторены ещё в стольких местах: %1.</translation>
     </message>
     <message>
+        <source>Channel %1 is constant: it holds no signal.</source>
+        <translation>Канал %1 постоянен: сигнала в нём нет.</translation>
+    </message>
+    <message>
+        <source>Channels C and D hold the same %1 samples: they are one signal, and the wave of two channels is not in it. Choose the other channel{ (--channels)}.</source>
+        <translation>В каналах C и D одни и те же отсчёты (%1): это один сигнал, и волны двух каналов в нём нет. Выберите другой канал{ (--channels)}.</translation>
+    </message>
+    <message>
         <source>Channel %1 stays within %2 levels of the converter: its signal is below one bit.</source>
         <translation>Канал %1 не выходит за %2 уровня преобразователя: сигнал меньше одного разряда.</translation>
     </message>
@@ -1768,6 +1780,10 @@
         <translation>%1: записью могут быть несколько переменных: %2. Выберите нужные.</translation>
     </message>
     <message>
+        <source>%1: both channels are constant: they hold no signal. Choose other channels{ (--channels)} or another range{ (--from, --to)}.</source>
+        <translation>%1: оба канала постоянны: сигнала в них нет. Выберите другие каналы{ (--channels)} или другой участок{ (--from, --to)}.</translation>
+    </message>
+    <message>
         <source>%1: no carrier stands out of the spectrum. Give {it with --f0, or the band to look in with --band|its frequency, or the band to look in}.</source>
         <translation>%1: несущая не выделяется в спектре. Задайте её частоту или полосу поиска.</translation>
     </message>
@@ -1880,6 +1896,10 @@
         <translation>%1: в канале %2 биения видны по амплитуде, но не по фазе, а фаза канала %3 поворачивается: опорный сигнал следует за каналом %2, как в петле ФАПЧ, и его частота потеряна. Числа неверны. Выберите комплексные амплитуды относительно перестраиваемого генератора и укажите столбец частоты (F) или фазы (P) опорного сигнала либо записывайте с неподвижной опорной частотой.</translation>
     </message>
     <message>
+        <source>The strongest line stands at %1 Hz, beyond the reach of windows about the carrier given, %2 Hz{ (--f0)}: the numbers are those of no wave. Leave the carrier out so that it is looked for, or filter its line out{ (--filter)}.</source>
+        <translation>Самая сильная линия — на %1 Гц, вне досягаемости окон около заданной несущей %2 Гц{ (--f0)}: числа не относятся ни к какой волне. Не задавайте несущую, чтобы программа нашла её сама, или выделите её линию полосовым фильтром{ (--filter)}.</translation>
+    </message>
+    <message>
         <source>%1: turned by the oscillator&apos;s phase the phasors wander, turned the other way they are %2 times as steady: the sign of Y is another one than told, or that of the phase. The numbers do not hold. {Give the other --y-sign|Choose the other sign of Y}, or change the sign of the phase in the file.</source>
         <translation>%1: при повороте на фазу генератора комплексные амплитуды блуждают, а при повороте в другую сторону они устойчивее в %2 раз: знак Y не тот, что указан, либо не тот знак фазы. Числа неверны. {Укажите другой --y-sign|Выберите другой знак Y} или смените знак фазы в файле.</translation>
     </message>
@@ -1940,8 +1960,8 @@
         <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import (%4)}.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4).</translation>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import}.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, перетащите в окно оба файла вместе или выберите его в окне «Импорт».</translation>
     </message>
     <message>
         <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or {give --raw f32 --raw-channels 1 --rate HZ|read it as raw samples under Import}.</source>
@@ -2080,11 +2100,11 @@
     <name>Reason</name>
     <message>
         <source>The wave hardly moves, so that one direction of the resonator is seen and no other. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
-        <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+        <translation>Волна почти неподвижна, поэтому видно одно направление резонатора и никакое другое. Добавьте запись, которая начинается при theta_A = %1° и длится не меньше %2 с.</translation>
     </message>
     <message>
         <source>At one angle a rotation and a damping anisotropy turn the wave alike. Add a recording that starts at theta_A = %1 degrees and lasts %2 s or longer.</source>
-        <translation>При одном угле вращение и разнодобротность поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1 градусов и длится не меньше %2 с.</translation>
+        <translation>При одном угле вращение и разнодобротность поворачивают волну одинаково. Добавьте запись, которая начинается при theta_A = %1° и длится не меньше %2 с.</translation>
     </message>
     <message>
         <source>The free model takes the channels as any two views of the modes: it has no angles.</source>
@@ -2123,12 +2143,12 @@
         <translation>У поворачивающейся волны отношение коэффициентов передачи каналов и разнодобротность неразличимы. Откалибруйте каналы и задайте их допуск или добавьте записи, начатые под другими углами.</translation>
     </message>
     <message>
-        <source>The recordings hardly narrow the stated tolerance: the value is as given.</source>
-        <translation>Записи почти не уточняют заданный допуск: остаётся заданное значение.</translation>
+        <source>The recordings hardly narrow its tolerance: the value is as given.</source>
+        <translation>Записи почти не уточняют его в пределах допуска: остаётся заданное значение.</translation>
     </message>
     <message>
-        <source>Taken as zero, because no tolerance is given for it; the sensitivities say what it would change.</source>
-        <translation>Принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
+        <source>Taken as zero in the fit, because no tolerance is given for it; the sensitivities say what it would change.</source>
+        <translation>При подгонке принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
     </message>
     <message>
         <source>The phasors need no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
@@ -4313,6 +4333,10 @@
     <message>
         <source>it is the table of limits</source>
         <translation>это таблица допусков</translation>
+    </message>
+    <message>
+        <source>the file holds no text</source>
+        <translation>в файле не текст</translation>
     </message>
     <message>
         <source>the list needs this column</source>

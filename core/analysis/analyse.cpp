@@ -69,6 +69,27 @@ void add_estimation(const EstimationSummary& estimation, const SampleFaults& fau
     analysis.timing.estimate_s = estimation.estimate_s;
 }
 
+// Names the line that the recording holds, where the windows about the carrier that was given leave
+// most of its power and cannot reach that line.
+Status add_other_carrier(const Recording& recording, const SignalSettings& settings,
+                         const FaultCheck& check, const JobControl& job,
+                         AnalysisSummary& analysis) {
+    constexpr double most_of_it = 0.5;
+    const double left = 2 * analysis.means.noise * analysis.means.noise;
+    if (!settings.f0_hz || !(left > most_of_it * check.power())) {
+        return {};
+    }
+    SignalSettings search = settings;
+    search.f0_hz.reset();
+    const Result<double> found = find_recording_carrier(recording, search, job.silent());
+    const double reach = recording.rate_hz / static_cast<double>(analysis.plan.length);
+    if (found && std::abs(*found - *settings.f0_hz) > reach) {
+        analysis.diagnostics.push_back(
+            {DiagnosticKind::carrier_elsewhere, {number_arg(*found), number_arg(*settings.f0_hz)}});
+    }
+    return job.go_on();
+}
+
 // Seconds below which nobody waits: everything is made at once.
 constexpr double at_once_s = 0.1;
 // Seconds that the spread windows may take. Each step doubles their number, so that a slow disk or
@@ -233,6 +254,7 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     const auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
                                                analysis.timing.threads, sink, job));
     add_estimation(estimation, prepared.check->finish(), analysis);
+    TRY(add_other_carrier(recording, settings, *prepared.check, job, analysis));
     return analysis;
 }
 

@@ -98,6 +98,12 @@ ROW(phase_step, warning,
 // Places beyond those told one by one.
 ROW(more_samples_lost, warning,
     VYBEG_MESSAGE("Message", "Further places where samples were lost or doubled: %1."))
+ROW(channel_constant, warning,
+    VYBEG_MESSAGE("Message", "Channel %1 is constant: it holds no signal."))
+ROW(channels_alike, serious,
+    VYBEG_MESSAGE("Message",
+                  "Channels C and D hold the same %1 samples: they are one signal, and the wave of "
+                  "two channels is not in it. Choose the other channel{ (--channels)}."))
 ROW(below_one_bit, warning,
     VYBEG_MESSAGE(
         "Message",
@@ -242,6 +248,11 @@ ROW(reference_follows, serious,
                   "--phasors common with|Choose phasors of an oscillator that moves, with} a "
                   "column of the reference's frequency (F) or phase (P), or log with a fixed "
                   "reference."))
+ROW(carrier_elsewhere, serious,
+    VYBEG_MESSAGE("Message",
+                  "The strongest line stands at %1 Hz, beyond the reach of windows about the "
+                  "carrier given, %2 Hz{ (--f0)}: the numbers are those of no wave. Leave the "
+                  "carrier out so that it is looked for, or filter its line out{ (--filter)}."))
 ROW(oscillator_backward, serious,
     VYBEG_MESSAGE("Message",
                   "%1: turned by the oscillator's phase the phasors wander, turned the other way "

@@ -10,6 +10,10 @@ ROW(set_not_chosen, wrong_call,
 // The input cannot be read: exit status 3.
 ROW(file_missing, bad_input,
     VYBEG_MESSAGE("Message", "%1: there is no such file. Check the name and the folder."))
+ROW(folder_empty, bad_input,
+    VYBEG_MESSAGE(
+        "Message",
+        "%1: the folder holds no recording. Choose one that does, or a measurement list."))
 ROW(file_permission, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1: no permission to read this file. Change its permissions or copy it."))
@@ -83,7 +87,7 @@ ROW(too_few_channels, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has "
                   "a file of its own, {name it: --channel-d %4|drop both files into the window "
-                  "together, or choose it under Import (%4)}."))
+                  "together, or choose it under Import}."))
 // %2: name without ending of the file that describes the samples.
 ROW(header_missing, bad_input,
     VYBEG_MESSAGE("Message",
@@ -168,6 +172,10 @@ ROW(carrier_above_half_rate, impossible,
     VYBEG_MESSAGE("Message",
                   "%1: the carrier of %2 Hz is not below half the sample rate, %3 Hz. Check the "
                   "carrier and the rate."))
+ROW(channels_constant, impossible,
+    VYBEG_MESSAGE("Message",
+                  "%1: both channels are constant: they hold no signal. Choose other channels{ "
+                  "(--channels)} or another range{ (--from, --to)}."))
 ROW(carrier_not_found, impossible,
     VYBEG_MESSAGE("Message",
                   "%1: no carrier stands out of the spectrum. Give {it with --f0, or the band to "

@@ -183,6 +183,7 @@ Result<MeasurementList> wanted_list(const BatchRequest& request) {
         // An output that is a file of another kind stays an input, which check_paths() keeps from
         // being replaced.
         return is_batch_table(path) || path.extension() == journal_of("") ||
+               path.extension() == ".json" ||
                (!request.limits.empty() && same_file(path, request.limits)) ||
                (!request.database.empty() && (same_file(path, request.database) ||
                                               same_file(path, rollback_of(request.database))));

@@ -134,6 +134,9 @@ private:
     Result<MeasurementList> chosen_list() const {
         auto list = TRY(wanted_list(request_));
         events_.warned(list.warnings);
+        if (list.sets.empty()) {
+            return Error{ErrorCode::folder_empty, request_.list, {}};
+        }
         if (!request_.only.empty()) {
             TRY(keep_set(list, "--only", request_.only));
         }

@@ -459,6 +459,12 @@ Result<double> find_carrier(std::span<const double> c, std::span<const double> d
                      {number_arg(low_hz), number_arg(high_hz), number_arg(rate_hz / 2)}};
     }
 
+    const auto is_constant = [](std::span<const double> x) {
+        return std::ranges::all_of(x, [&x](double value) { return value == x[0]; });
+    };
+    if (is_constant(c) && is_constant(d)) {
+        return Error{ErrorCode::channels_constant, "", {}};
+    }
     if (const auto found = zoom_carrier(c, d, rate_hz, low_hz, high_hz, job)) {
         return *found;
     }

@@ -141,6 +141,7 @@ private slots:
         QVERIFY(QFile::copy(path("a.wav"), path("folder/1.wav")));
         QVERIFY(put(path("folder/notes.txt"), "no table\n"));
         QVERIFY(put(path("folder/earlier.csv.unfinished"), "vybeg rows\n"));
+        QVERIFY(put(path("folder/result.json"), "{}\n"));  // no file of samples is JSON
         for (int again = 0; again < 2; ++again) {  // neither this table nor an earlier one counts
             QCOMPARE(run("batch folder -o folder/out.csv --from 0.1").status, 0);
             const QByteArray table = file("folder/out.csv");
@@ -287,7 +288,9 @@ private slots:
         row("list.csv -o a.wav", 2, "it is one of the recordings");
         row("list.csv -o - --resume", 2, "--resume needs a file");
         row("none.csv -o new.csv", 3, "none.csv: there is no such file");
-        row("a.wav -o new.csv", 3, "the list needs this column");
+        row("a.wav -o new.csv", 3, "column \"file\": the file holds no text.");
+        QVERIFY(QDir(folder_.path()).mkpath("nothing"));
+        row("nothing -o new.csv", 3, "the folder holds no recording");
         row("list.csv -o new.csv --passport none", 3, "none: there is no such file");
         row("list.csv -o none/new.csv", 5, "none/new.csv cannot be written");
         row("list.csv -o new.csv --json a.wav", 5, "a.wav cannot be written");

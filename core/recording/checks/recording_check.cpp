@@ -206,7 +206,10 @@ constexpr std::size_t most_listed = 100;  // places of lost samples listed one b
 const std::array<std::string, 2> channel_names{"C", "D"};
 
 void report_rails(const ClippingCheck& clipping, const std::string& channel, SampleFaults& faults) {
-    if (const int levels = clipping.levels(); levels == 2) {
+    const int levels = clipping.levels();
+    if (levels == 1) {
+        faults.findings.push_back({DiagnosticKind::channel_constant, {channel}});
+    } else if (levels == 2) {
         faults.findings.push_back({DiagnosticKind::below_one_bit, {channel, count_arg(levels)}});
     }
     for (const ClippingCheck::Rail& rail : clipping.rails()) {
@@ -348,6 +351,7 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
     const std::array<Extent, 2> extents{extent_of(c), extent_of(d)};
     const std::array<std::span<const double>, 2> channels{c, d};
     const bool whole = extents[0].is_finite() && extents[1].is_finite();
+    alike_ = alike_ && std::ranges::equal(c, d);
     for (std::size_t j = 0; !whole && j < c.size(); ++j) {
         const int missing = (std::isfinite(c[j]) ? 0 : 1) + (std::isfinite(d[j]) ? 0 : 1);
         if (missing > 0) {
@@ -382,6 +386,9 @@ SampleFaults FaultCheck::finish() {
                                    first_missing_,
                                    frames_with_missing_});
     }
+    if (alike_ && clipping_[0].levels() > 1) {
+        faults.findings.push_back({DiagnosticKind::channels_alike, {count_arg(sums_[0].valid)}});
+    }
     report_rails(clipping_[0], channel_names[0], faults);
     report_rails(clipping_[1], channel_names[1], faults);
     std::ranges::sort(faults.clipped, {}, &FrameRange::first);
@@ -392,8 +399,7 @@ SampleFaults FaultCheck::finish() {
     return faults;
 }
 
-std::vector<Diagnostic> FaultCheck::offsets() const {
-    // Half the square of the wave's amplitude is the power of both channels.
+double FaultCheck::power() const {
     double power = 0;
     double of_means = 0;
     for (const ChannelSums& channel : sums_) {
@@ -405,10 +411,15 @@ std::vector<Diagnostic> FaultCheck::offsets() const {
     }
     // Of constant channels the sums leave nothing but their rounding.
     constexpr double rounding = 1e-12;
-    if (!(power > rounding * of_means)) {
+    return power > rounding * of_means ? power : 0;
+}
+
+std::vector<Diagnostic> FaultCheck::offsets() const {
+    // Half the square of the wave's amplitude is the power of both channels.
+    const double amplitude = std::sqrt(2 * power());
+    if (!(amplitude > 0)) {
         return {};
     }
-    const double amplitude = std::sqrt(2 * power);
     std::vector<Diagnostic> findings;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
         const double offset = sums_[i].mean();

@@ -35,7 +35,8 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
 
 // Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
-    std::vector<Diagnostic> findings;  // missing samples, clipping, lost and doubled samples
+    std::vector<Diagnostic> findings;  // channels without a signal of their own, missing samples,
+                                       // clipping, lost and doubled samples
     std::vector<FrameRange> clipped;   // ranges at a rail in either channel, in order
     std::vector<PhaseStep> steps;      // lost and doubled samples, in order
 };
@@ -50,6 +51,8 @@ public:
     void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
     // Ends the check.
     SampleFaults finish();
+    // Variance of the samples so far, of both channels; zero where that is rounding.
+    double power() const;
     // Channels with a mean above 0.5 % of the amplitude so far.
     std::vector<Diagnostic> offsets() const;
 
@@ -72,6 +75,7 @@ private:
     std::int64_t frames_with_missing_ = 0;
     std::int64_t first_missing_ = -1;
     std::array<ClippingCheck, 2> clipping_;
+    bool alike_ = true;  // channels, sample by sample
     std::optional<PhaseStepCheck> steps_;
 };
 

@@ -154,6 +154,9 @@ private:
 
     Status read_names(const std::string& needed) {
         const auto names = TRY(names_with(needed));
+        if (text_.find('\0') != std::string::npos) {
+            return invalid(needed, words(VYBEG_MESSAGE("Words", "the file holds no text")));
+        }
         if (!has_name(names.fields, needed)) {
             const std::string told = joined(names.fields, ", ");
             return invalid(

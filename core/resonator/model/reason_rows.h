@@ -47,13 +47,11 @@ ROW(kappa_like_damping,
                   "recordings that start at other angles."))
 // the recordings narrow the tolerance of the channels by less than ten
 ROW(as_given,
-    VYBEG_MESSAGE("Reason",
-                  "The recordings hardly narrow the stated tolerance: the value is as given."))
+    VYBEG_MESSAGE("Reason", "The recordings hardly narrow its tolerance: the value is as given."))
 // a channel error without a tolerance: taken as zero
-ROW(held,
-    VYBEG_MESSAGE("Reason",
-                  "Taken as zero, because no tolerance is given for it; the sensitivities say "
-                  "what it would change."))
+ROW(held, VYBEG_MESSAGE("Reason",
+                        "Taken as zero in the fit, because no tolerance is given for it; the "
+                        "sensitivities say what it would change."))
 // args: limit, unit. The phasors need no dependence on the amplitude.
 ROW(not_nonlinear,
     VYBEG_MESSAGE("Reason",

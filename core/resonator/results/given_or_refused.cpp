@@ -116,8 +116,8 @@ private:
         const double theta = at_.value[of_run(0, two_theta_of)] / 2;
         const double other = std::remainder(theta * 180 / pi + 22.5, 90.0);
         return {code,
-                {short_text(std::round(10 * other) / 10, 4),
-                 short_text(std::ceil(runs_[0].time_s.back() + runs_[0].window_s / 2), 4)}};
+                {number_arg(std::round(10 * other) / 10, 4),
+                 number_arg(std::ceil(runs_[0].time_s.back() + runs_[0].window_s / 2), 4)}};
     }
 
     // Size and axis of the vector that begins at `first` among the parameters.

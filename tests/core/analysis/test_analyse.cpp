@@ -64,6 +64,33 @@ private slots:
         QCOMPARE(analysis->track.rows(), std::size_t{33333 / 66});
     }
 
+    // Windows about a carrier that was told see another line as noise, and a wave that is none.
+    void aLineBeyondTheGivenCarrierIsNamed() {
+        const Recording recording = test::simulated_recording(short_decay());
+        for (const double f0 : {4000.0, 4690.0, 4900.0, 5299.0, 5310.0, 5600.0, 5910.0, 6500.0}) {
+            Settings settings;
+            settings.f0_hz = f0;
+            const Result<Analysis> analysis = analyse(recording, settings, {});
+            QVERIFY(analysis);
+            const auto named = std::ranges::find(
+                analysis->diagnostics, DiagnosticKind::carrier_elsewhere, &Diagnostic::kind);
+            const bool far = std::abs(f0 - 5300) > 33333.0 / 60;
+            VYBEG_EQUAL(named != analysis->diagnostics.end(), far, qPrintable(QString::number(f0)));
+            if (far) {
+                VYBEG_CLOSE(std::stod(english(named->args[0])), 5300, 1);
+            }
+        }
+        // Noise has no other line.
+        FreeDecay noise = short_decay();
+        noise.noise = 30;
+        Settings settings;
+        settings.f0_hz = 5300;
+        const Result<Analysis> analysis = analyse(test::simulated_recording(noise), settings, {});
+        QVERIFY(analysis);
+        QVERIFY(std::ranges::find(analysis->diagnostics, DiagnosticKind::carrier_elsewhere,
+                                  &Diagnostic::kind) == analysis->diagnostics.end());
+    }
+
     void resultIsTheSameForAnyNumberOfThreads() {
         FreeDecay decay = demo_decay();
         decay.seconds = 10;  // more than one chunk

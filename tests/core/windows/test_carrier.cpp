@@ -94,7 +94,7 @@ private slots:
         }
         const std::vector<double> silence(1000, 0.25);
         QVERIFY(find_carrier(silence, silence, 33333, 10, 16666).error().code ==
-                ErrorCode::carrier_not_found);
+                ErrorCode::channels_constant);
         const std::vector<double> nothing(1000, std::nan(""));
         QVERIFY(find_carrier(nothing, nothing, 33333, 10, 16666).error().code ==
                 ErrorCode::no_valid_samples);

@@ -66,6 +66,10 @@ private slots:
                                    "--algorithm", "--kappa", "--raw"}) {
             QVERIFY2(help.out.contains(option), option);
         }
+        const Outcome mistyped = run({"--reprot", "x.pdf"});
+        QCOMPARE(mistyped.status, 2);
+        QVERIFY2(mistyped.err.contains("no option --reprot. Did you mean --report?"),
+                 qPrintable(mistyped.err));
         const Outcome version = run({"--version"});
         QCOMPARE(version.status, 0);
         QVERIFY(version.out.startsWith("vybeg "));

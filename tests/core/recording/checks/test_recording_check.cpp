@@ -282,6 +282,20 @@ private slots:
         }
     }
 
+    void channels_without_a_signal_of_their_own_are_named() {
+        const Signal signal = decay({});
+        QCOMPARE(text(findings({signal.c, signal.c}, 5300)), QString("channels-alike(199998)"));
+        Signal one_differs{signal.c, signal.c};
+        one_differs.d[100000] += 1e-9;
+        QCOMPARE(text(findings(std::move(one_differs), 5300)), QString());
+        const std::vector<double> silence(signal.c.size(), 0.0);
+        const std::vector<double> level(signal.c.size(), -2.5);
+        QCOMPARE(text(findings({silence, silence}, {})),
+                 QString("channel-constant(C) channel-constant(D)"));
+        QCOMPARE(text(findings({signal.c, silence}, 5300)), QString("channel-constant(D)"));
+        QVERIFY(text(findings({level, signal.d}, 5300)).startsWith("channel-constant(C)"));
+    }
+
     void a_repaired_recording_is_the_one_before_the_loss_with_gaps() {
         const Signal whole = decay({.seconds = 5});
         Signal cut = whole;
