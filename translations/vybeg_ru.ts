@@ -3771,6 +3771,10 @@
         <translation>%1 (записан %2)</translation>
     </message>
     <message>
+        <source>it is a result of identify; --passport writes the passport</source>
+        <translation>это результат команды identify; паспорт записывает --passport</translation>
+    </message>
+    <message>
         <source>its JSON is not a passport&apos;s</source>
         <translation>это JSON, но не паспорт</translation>
     </message>
@@ -4177,6 +4181,10 @@
     <message>
         <source>%1 is shorter than its header says</source>
         <translation>%1 короче, чем сказано в заголовке</translation>
+    </message>
+    <message>
+        <source>the sheets of a workbook</source>
+        <translation>листы книги электронных таблиц</translation>
     </message>
     <message>
         <source>members other than NumPy arrays (.npy)</source>

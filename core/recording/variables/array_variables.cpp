@@ -5,6 +5,7 @@
 #include "core/recording/bytes/packed_parts.h"
 #include "core/recording/variables/variable_recording.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -133,8 +134,11 @@ Result<Recording> open_npz(std::shared_ptr<const FileBytes> file, const OpenOpti
         }
     }
     if (arrays.empty()) {
-        return file->unsupported("ZIP",
-                                 VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"));
+        const bool is_workbook = std::ranges::any_of(
+            members, [](const ZipMember& member) { return member.name.starts_with("xl/"); });
+        return file->unsupported(
+            "ZIP", is_workbook ? VYBEG_MESSAGE("Words", "the sheets of a workbook")
+                               : VYBEG_MESSAGE("Words", "members other than NumPy arrays (.npy)"));
     }
     return open_arrays(*file, "NPZ", std::move(arrays), options, job);
 }

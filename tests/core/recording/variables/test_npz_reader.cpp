@@ -69,6 +69,8 @@ np.savez('two-rates', fs=48.0, t=s * 0.05, **few)
 np.savez('counted', fs=20.0, t=s * 1.0, **few)
 np.savez('small', c=c[:40], d=d[:40], fs=20.0)
 np.savez_compressed('small-deflated', c=c[:40], d=d[:40], fs=20.0)
+with zipfile.ZipFile('book.xlsx', 'w') as archive:
+    archive.writestr('xl/workbook.xml', '<workbook/>')
 with zipfile.ZipFile('texts.zip', 'w') as archive:
     archive.writestr('note.txt', 'hello')
 for method, name in ((zipfile.ZIP_BZIP2, 'bzip2'), (zipfile.ZIP_LZMA, 'lzma')):
@@ -236,6 +238,7 @@ with zipfile.ZipFile('bomb.npz', 'w', zipfile.ZIP_DEFLATED) as archive:
         QTest::addColumn<QString>("word");
         const int unsupported = static_cast<int>(ErrorCode::format_unsupported);
         QTest::newRow("no arrays") << "texts.zip" << unsupported << "NumPy";
+        QTest::newRow("workbook") << "book.xlsx" << unsupported << "sheets of a workbook";
         QTest::newRow("no numbers") << "other.npz" << unsupported << "<U1";
         QTest::newRow("bzip2") << "bzip2.npz" << unsupported << "method 12";
         QTest::newRow("lzma") << "lzma.npz" << unsupported << "method 14";
