@@ -144,16 +144,19 @@ Estimate tau_of(const Pair& damping, const EffortPair& effort) {
     if (!damping.has_axis() || !rho.has_axis()) {
         return refused(ReasonCode::effort_unseen);
     }
-    const double apart = wrap(std::atan2(rho.value[1], rho.value[0]) -
-                              std::atan2(damping.value[1], damping.value[0])) /
-                         4;
-    if (std::abs(apart) > log_differs * std::hypot(rho.sd_axis(), damping.sd_axis())) {
-        return refused(ReasonCode::effort_axis_apart, {number_arg(std::abs(apart) * 180 / pi, 3)});
+    // Of a harmonic what moves it across, as the latency of an effort does, may move it along: u of
+    // tau holds it while it is small.
+    constexpr double small = 0.02;
+    const double apart = std::abs(wrap(std::atan2(rho.value[1], rho.value[0]) -
+                                       std::atan2(damping.value[1], damping.value[0])));
+    const bool unlike = apart > 4 * log_differs * std::hypot(rho.sd_axis(), damping.sd_axis());
+    if (unlike && apart > small) {
+        return refused(ReasonCode::effort_axis_apart, {number_arg(apart / 4 * 180 / pi, 3)});
     }
     const double tau = 2 * rho.size() / damping.size();
     const double sd =
         tau * std::hypot(rho.sd_size() / rho.size(), damping.sd_size() / damping.size());
-    return {tau, sd, {}, sd};
+    return {tau, sd, {}, unlike ? std::hypot(sd, tau * apart) : sd};
 }
 
 }  // namespace
@@ -182,9 +185,9 @@ HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d
     const Pair split = turned(*effort.pair, to_split);
     take(split, "Hz", found.split_hz, found.theta_w_rad);
     if (found.split_hz.given()) {
-        const double of_tau = found.tau_s.sd / found.tau_s.value;
-        found.split_hz.sd = std::hypot(found.split_hz.sd, found.split_hz.value * of_tau);
-        found.split_hz.u = found.split_hz.sd;
+        const double by_tau = found.split_hz.value / found.tau_s.value;
+        found.split_hz.u = std::hypot(found.split_hz.sd, by_tau * found.tau_s.u);
+        found.split_hz.sd = std::hypot(found.split_hz.sd, by_tau * found.tau_s.sd);
     }
     return found;
 }

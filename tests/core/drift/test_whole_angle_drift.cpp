@@ -284,6 +284,29 @@ private slots:
         QVERIFY(!drift_of({log}).resonator.split_hz.given());
     }
 
+    // A controller's effort that comes late turns its axis; u of tau holds as much.
+    void an_effort_that_is_late_widens_tau() {
+        HeldLoop loop = loop_of();
+        loop.turn = 0.02;
+        const WholeAngleLog log = simulated_log(loop);
+        for (const std::size_t rows : {1, 2, 40}) {
+            WholeAngleLog late = log;
+            for (std::vector<double>* effort : {&late.amplitude_effort, &late.quadrature_effort}) {
+                std::rotate(effort->begin(), effort->end() - static_cast<std::ptrdiff_t>(rows),
+                            effort->end());
+                std::fill_n(effort->begin(), rows, (*effort)[rows]);
+            }
+            const HeldResonator found = drift_of({late}).resonator;
+            const double turned = 4 * loop.turn * static_cast<double>(rows) / loop.rate_hz;
+            VYBEG_EQUAL(found.tau_s.given(), turned < 0.02, qPrintable(QString::number(rows)));
+            if (found.tau_s.given()) {
+                VYBEG_LESS(std::abs(found.tau_s.value - loop.tau_s) / found.tau_s.u, 3);
+                VYBEG_LESS(found.tau_s.u / found.tau_s.value, 2 * turned + 0.01);
+                VYBEG_LESS(std::abs(found.split_hz.value - loop.split_hz) / found.split_hz.u, 4.5);
+            }
+        }
+    }
+
     // Of a turn of one direction u holds what two directions tell apart.
     void channels_within_their_tolerance_are_no_drift() {
         int seed = 40;
