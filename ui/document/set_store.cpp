@@ -67,6 +67,20 @@ MeasurementSet told(MeasurementSet set, const GyroData& session) {
     return set;
 }
 
+// With what the files told of the recordings, which are the same in their order.
+MeasurementSet asRead(MeasurementSet set, const MeasurementSet& read) {
+    for (std::size_t k = 0; k < set.recordings.size(); ++k) {
+        const RecordingRef& from = read.recordings[k];
+        RecordingRef& recording = set.recordings[k];
+        recording.sha256 = from.sha256;
+        recording.start = from.start;
+        recording.seconds = from.seconds;
+        recording.rate_hz = from.rate_hz;
+        recording.f0_hz = from.f0_hz;
+    }
+    return set;
+}
+
 }  // namespace
 
 QStringList absentFiles(const RecordingSet& set) {
@@ -257,10 +271,8 @@ void SetStore::addToCurrent(const std::vector<RecordingId>& recording_ids) {
 
 void SetStore::removeFrom(SetId id, const std::vector<RecordingId>& recording_ids) {
     const RecordingSet* set = find(id);
-    const auto is_there = [&](RecordingId recording) {
-        return contains(set->recordings, recording);
-    };
-    if (set && std::ranges::any_of(recording_ids, is_there)) {
+    const auto is_in = [&](RecordingId recording) { return contains(set->recordings, recording); };
+    if (set && std::ranges::any_of(recording_ids, is_in)) {
         step([] { return tr("recordings of the set"); }, [&] { eraseFrom(id, recording_ids); });
     }
 }
@@ -290,11 +302,8 @@ std::vector<SetId> SetStore::holding(RecordingId recording_id) const {
 }
 
 void SetStore::openList(const QString& path, const OpenOptions& options) {
-    IdentifySettings settings;
-    settings.signal = settings_.settings();
-    settings.tolerance = settings_.tolerance();
     const auto list = read_measurement_list(QFileInfo(path).absoluteFilePath().toStdU16String(),
-                                            options, settings);
+                                            options, measured({}).settings);
     if (!list) {
         emit reported(errorMessage(list.error()));
         return;
@@ -406,9 +415,7 @@ void SetStore::identifySet(SetId id) {
         open.recordings.push_back(*recordings_.find(recording)->recording);
     }
     const int key = ids_.next();
-    Request request;
-    request.set_id = set.id;
-    queue_.enter(key, request);
+    queue_.enter(key, {.set_id = set.id});
     job_.identify(key, std::move(open), [this, key](Result<SetResult>&& result) {
         whenIdentified(key, std::move(result));
     });
@@ -470,16 +477,7 @@ SetResult SetStore::underPresentConditions(const RecordingSet& set,
         ordered.recordings.push_back(static_cast<RecordingId>(recording.id));
     }
     SetResult result = outcome;
-    result.set = measured(ordered);
-    for (std::size_t k = 0; k < result.set.recordings.size(); ++k) {
-        const RecordingRef& read = outcome.set.recordings[k];
-        RecordingRef& told = result.set.recordings[k];
-        told.sha256 = read.sha256;
-        told.start = read.start;
-        told.seconds = read.seconds;
-        told.rate_hz = read.rate_hz;
-        told.f0_hz = read.f0_hz;
-    }
+    result.set = asRead(measured(ordered), outcome.set);
     return result;
 }
 
@@ -522,15 +520,13 @@ void SetStore::closePassport() {
 }
 
 void SetStore::setFrequencyLimit(double ppm) {
-    if (ppm != compare_.f_limit_ppm) {
-        compare_.f_limit_ppm = ppm;
+    if (std::exchange(compare_.f_limit_ppm, ppm) != ppm) {
         emit passportChanged();
     }
 }
 
 std::vector<Difference> SetStore::differences() const {
-    const RecordingSet* set = current();
-    const auto found = set ? outcome(*set) : nullptr;
+    const auto found = current() ? outcome(*current()) : nullptr;
     return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
                               : std::vector<Difference>();
 }

@@ -41,10 +41,10 @@ HistoryChoices::HistoryChoices(QWidget* parent)
       parameter_(withName(new QComboBox(this), "historyParameter")),
       axis_(withName(new QComboBox(this), "historyAxis")),
       baseline_(withName(new QSpinBox(this), "historyBaseline")),
-      choices_{{{labelFor(gyro_, [] { return tr("Gyro"); }), gyro_},
-                {labelFor(parameter_, [] { return tr("Parameter"); }), parameter_},
-                {labelFor(axis_, [] { return tr("Against"); }), axis_},
-                {labelFor(baseline_, [] { return tr("Baseline"); }), baseline_}}},
+      choices_{{{labelFor(gyro_, [] { return HistoryChoices::tr("Gyro"); }), gyro_},
+                {labelFor(parameter_, [] { return HistoryChoices::tr("Parameter"); }), parameter_},
+                {labelFor(axis_, [] { return HistoryChoices::tr("Against"); }), axis_},
+                {labelFor(baseline_, [] { return HistoryChoices::tr("Baseline"); }), baseline_}}},
       grid_(new QGridLayout(this)) {
     gyro_->addItem(QString());
     parameter_->setItemDelegate(new IndexDelegate(parameter_));

@@ -94,32 +94,6 @@ QString text(const std::string& utf8) {
     return QString::fromStdString(utf8);
 }
 
-QJsonObject without(QJsonObject json, const QStringList& keys) {
-    for (const QString& key : keys) {
-        json.remove(key);
-    }
-    return json;
-}
-
-template <class Each, class ToJson, class... Args>
-QJsonArray listToJson(const std::vector<Each>& all, const ToJson& to_json, const Args&... args) {
-    QJsonArray list;
-    for (const Each& each : all) {
-        list.append(to_json(each, args...));
-    }
-    return list;
-}
-
-template <class Each, class FromJson, class... Args>
-Status readList(const QJsonValue& list, std::vector<Each>& all, const FromJson& from_json,
-                const Args&... args) {
-    for (const auto& value : list.toArray()) {
-        auto each = TRY(from_json(value.toObject(), args...));
-        all.push_back(std::move(each));
-    }
-    return {};
-}
-
 // Relative below the folder of the session, so that both can be moved together.
 QString storedPath(const QString& path, const QDir& folder) {
     const QString relative = folder.relativeFilePath(path);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/base/setting_rows.h"
 #include "core/recording/samples/open_options.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -197,6 +200,33 @@ inline OpenOptions optionsFromJson(const QJsonObject& json) {
         options.scale *= json[QLatin1String(part)].toObject()[QStringLiteral("scale")].toDouble(1);
     }
     return options;
+}
+
+inline QJsonObject without(QJsonObject json, const QStringList& keys) {
+    for (const QString& key : keys) {
+        json.remove(key);
+    }
+    return json;
+}
+
+// A list, each of its values by a function; the reverse ends with the first error of one.
+template <class Each, class ToJson, class... Args>
+QJsonArray listToJson(const std::vector<Each>& all, const ToJson& to_json, const Args&... args) {
+    QJsonArray list;
+    for (const Each& each : all) {
+        list.append(to_json(each, args...));
+    }
+    return list;
+}
+
+template <class Each, class FromJson, class... Args>
+Status readList(const QJsonValue& list, std::vector<Each>& all, const FromJson& from_json,
+                const Args&... args) {
+    for (const auto& value : list.toArray()) {
+        auto each = TRY(from_json(value.toObject(), args...));
+        all.push_back(std::move(each));
+    }
+    return {};
 }
 
 }  // namespace vybeg::ui

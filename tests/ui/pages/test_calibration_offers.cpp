@@ -85,9 +85,9 @@ private slots:
 
     // Of a measurement list its own calibration counts, not that of the panel.
     void of_a_listed_set_its_own_calibration_changes() {
-        QByteArray list = "set,file,kappa\n";
+        QByteArray list = "set,file,kappa,tolerance\n";
         for (const QString& path : resonatorRuns(home_, "listed", {.kappa = 1.02})) {
-            list += "one," + QFileInfo(path).fileName().toUtf8() + ",1.001\n";
+            list += "one," + QFileInfo(path).fileName().toUtf8() + ",1.001,kappa=0.05\n";
         }
         document().sets().openList(home_.file("list.csv", list), {});
         QVERIFY(QTest::qWaitFor(
