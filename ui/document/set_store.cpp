@@ -210,13 +210,8 @@ void SetStore::setListed(SetId id, MeasurementSet listed) {
 }
 
 void SetStore::changeListed(SetId id, MeasurementSet listed) {
-    if (RecordingSet* set = entry(id)) {
-        step([] { return tr("calibration of the set"); },
-             [&] {
-                 set->listed = std::make_shared<const MeasurementSet>(std::move(listed));
-                 edited(*set);
-             });
-    }
+    queue_.forget(queue_.keyOfSet(id));
+    step([] { return tr("calibration of the set"); }, [&] { setListed(id, std::move(listed)); });
 }
 
 void SetStore::restoreSets(std::vector<RecordingSet> sets) {
