@@ -1341,8 +1341,8 @@
         <translation>мало окон</translation>
     </message>
     <message>
-        <source>τ %1 s</source>
-        <translation>τ %1 с</translation>
+        <source>τ(%1) %2 s</source>
+        <translation>τ(%1) %2 с</translation>
     </message>
     <message>
         <source>drift %1 °/h</source>

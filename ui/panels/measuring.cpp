@@ -247,7 +247,9 @@ QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
         const FittedTrend* amplitude = find(trends, SlowVariable::a_A);
         const auto decay = amplitude ? decay_time(std::get<Trend>(amplitude->fit)) : std::nullopt;
         if (decay) {
-            words << Words::tr("τ %1 s").arg(conciseText(decay->tau_s, decay->sd_s));
+            words << Words::tr("τ(%1) %2 s")
+                         .arg(displaySymbol(SlowVariable::a_A, units),
+                              conciseText(decay->tau_s, decay->sd_s));
         }
         if (const FittedTrend* angle = find(trends, SlowVariable::two_theta_A)) {
             const auto& line = std::get<Trend>(angle->fit);
