@@ -3069,7 +3069,7 @@
     </message>
     <message>
         <source>Delay δ</source>
-        <translation>Запаздывание δ</translation>
+        <translation>Задержка δ</translation>
     </message>
     <message>
         <source>By how much channel D comes late</source>
@@ -3181,7 +3181,7 @@
     </message>
     <message>
         <source>Gain drift</source>
-        <translation>Уход коэффициента передачи</translation>
+        <translation>Уход усиления</translation>
     </message>
     <message>
         <source>Phase drift</source>
@@ -3189,7 +3189,7 @@
     </message>
     <message>
         <source>Crosstalk</source>
-        <translation>Перекрёстная помеха</translation>
+        <translation>Проникание C в D</translation>
     </message>
     <message>
         <source>Delay</source>
@@ -3205,7 +3205,7 @@
     </message>
     <message>
         <source>10 ns of delay</source>
-        <translation>10 нс запаздывания</translation>
+        <translation>10 нс задержки</translation>
     </message>
     <message>
         <source>10⁻⁴ rad of phase drift</source>
@@ -5169,7 +5169,7 @@
     </message>
     <message>
         <source>Crosstalk ±</source>
-        <translation>Помеха C→D ±</translation>
+        <translation>Проникание ±</translation>
     </message>
     <message>
         <source>Of C into D with its phase turned by 90 degrees, relative.</source>
