@@ -2028,8 +2028,8 @@
         <translation>%1 — журнал интегрирующего режима, а не запись: в нём угол стоячей волны по времени. Его открывает страница «Дрейф».</translation>
     </message>
     <message>
-        <source>%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a set of its own.</source>
-        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPY, NPZ, MAT или HDF5. У записи отдельный набор.</translation>
+        <source>%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. {analyze and identify read recordings|Recordings have a set of their own}, without logs beside them.</source>
+        <translation>%1 — не журнал: журналы — таблицы в виде текста, NPY, NPZ, MAT или HDF5. {Записи читают команды analyze и identify|У записей отдельный набор}, без журналов.</translation>
     </message>
 </context>
 <context>

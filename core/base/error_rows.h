@@ -146,9 +146,10 @@ ROW(holds_angle, bad_input,
                   "%1 is a whole-angle log, no recording: it holds the angle of a standing wave "
                   "over time. The {command drift reads|page Drift opens} it."))
 ROW(no_log, bad_input,
-    VYBEG_MESSAGE("Message",
-                  "%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. A recording has a "
-                  "set of its own."))
+    VYBEG_MESSAGE(
+        "Message",
+        "%1 is no log: logs are tables as text, NPY, NPZ, MAT or HDF5. {analyze and identify "
+        "read recordings|Recordings have a set of their own}, without logs beside them."))
 ROW(file_changed, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 changed while it was read: its size or the time of its last change is "
