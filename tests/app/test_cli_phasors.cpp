@@ -216,7 +216,8 @@ private slots:
         QVERIFY2(untold.contains("columns of a measurement list"), untold.constData());
         QVERIFY(run("simulate -o made.wav --seconds 1").status == 0);
         const QByteArray audio = said("one.csv,A,fixed,5300.1,+,peak\nmade.wav,A,,,,\n");
-        QVERIFY2(audio.contains("made.wav is no log") && audio.contains("analyze and identify read recordings"),
+        QVERIFY2(audio.contains("made.wav is no log") &&
+                     audio.contains("analyze and identify read recordings"),
                  audio.constData());
         // An option that has no part beside what the set has is told.
         const Outcome idle = run("identify 0.npy --rate 33333 --y-sign +");
