@@ -84,8 +84,8 @@ Status add_other_carrier(const Recording& recording, const SignalSettings& setti
     const Result<double> found = find_recording_carrier(recording, search, job.silent());
     const double reach = recording.rate_hz / static_cast<double>(analysis.plan.length);
     if (found && std::abs(*found - *settings.f0_hz) > reach) {
-        analysis.diagnostics.push_back(
-            {DiagnosticKind::carrier_elsewhere, {number_arg(*found), number_arg(*settings.f0_hz)}});
+        analysis.diagnostics.push_back({DiagnosticKind::carrier_out_of_reach,
+                                        {number_arg(*found), number_arg(*settings.f0_hz)}});
     }
     return job.go_on();
 }

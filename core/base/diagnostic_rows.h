@@ -248,7 +248,7 @@ ROW(reference_follows, serious,
                   "--phasors common with|Choose phasors of an oscillator that moves, with} a "
                   "column of the reference's frequency (F) or phase (P), or log with a fixed "
                   "reference."))
-ROW(carrier_elsewhere, serious,
+ROW(carrier_out_of_reach, serious,
     VYBEG_MESSAGE("Message",
                   "The strongest line stands at %1 Hz, beyond the reach of windows about the "
                   "carrier given, %2 Hz{ (--f0)}: the numbers are those of no wave. Leave the "

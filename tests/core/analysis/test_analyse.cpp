@@ -73,7 +73,7 @@ private slots:
             const Result<Analysis> analysis = analyse(recording, settings, {});
             QVERIFY(analysis);
             const auto named = std::ranges::find(
-                analysis->diagnostics, DiagnosticKind::carrier_elsewhere, &Diagnostic::kind);
+                analysis->diagnostics, DiagnosticKind::carrier_out_of_reach, &Diagnostic::kind);
             const bool far = std::abs(f0 - 5300) > 33333.0 / 60;
             VYBEG_EQUAL(named != analysis->diagnostics.end(), far, qPrintable(QString::number(f0)));
             if (far) {
@@ -87,7 +87,7 @@ private slots:
         settings.f0_hz = 5300;
         const Result<Analysis> analysis = analyse(test::simulated_recording(noise), settings, {});
         QVERIFY(analysis);
-        QVERIFY(std::ranges::find(analysis->diagnostics, DiagnosticKind::carrier_elsewhere,
+        QVERIFY(std::ranges::find(analysis->diagnostics, DiagnosticKind::carrier_out_of_reach,
                                   &Diagnostic::kind) == analysis->diagnostics.end());
     }
 
