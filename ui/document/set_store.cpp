@@ -410,7 +410,9 @@ void SetStore::identifySet(SetId id) {
         open.recordings.push_back(*recordings_.find(recording)->recording);
     }
     const int key = ids_.next();
-    queue_.enter(key, {.set_id = set.id});
+    Request request;
+    request.set_id = set.id;
+    queue_.enter(key, request);
     job_.identify(key, std::move(open), [this, key](Result<SetResult>&& result) {
         whenIdentified(key, std::move(result));
     });
