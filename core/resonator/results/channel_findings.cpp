@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -15,9 +16,10 @@ namespace {
 using std::numbers::pi;
 
 constexpr double most_tolerances = 3;
-constexpr double by_chance = 2e-3;     // probability of a quadrature that follows the angle
-constexpr std::size_t least_runs = 4;  // for the line through the quadratures and its scatter
-constexpr double least_spread = 0.1;   // of the angles: sum of squares of an error's shape
+constexpr double by_chance = 2e-3;       // probability of a quadrature that follows the angle
+constexpr std::size_t least_angles = 4;  // for the line through the quadratures and its scatter
+constexpr double one_angle = 0.1;        // rad of 2theta: recordings nearer are a point of the line
+constexpr double least_spread = 0.1;     // of the angles: sum of squares of an error's shape
 constexpr double earth_rate_rad_s = 7.2921e-5;
 constexpr double bryan = 0.277;        // d theta_A/dt = -bryan * omega, METHOD.md 8
 constexpr double most_phase = 1;       // rad, of a channel that comes late
@@ -42,6 +44,23 @@ struct Quadrature {
     double ratio = 0;
     double variance = 0;
 };
+
+// The mean of recordings at one angle.
+Quadrature mean_of(const std::vector<Quadrature>& all) {
+    const auto count = static_cast<double>(all.size());
+    Quadrature mean{all.front().two_theta, 0, 0};
+    double variance = 0;
+    for (const Quadrature& each : all) {
+        mean.ratio += each.ratio / count;
+        variance += each.variance / (count * count);
+    }
+    double square = 0;
+    for (const Quadrature& each : all) {
+        square += (each.ratio - mean.ratio) * (each.ratio - mean.ratio);
+    }
+    mean.variance = std::max(variance, square / (count * std::max(count - 1, 1.0)));
+    return mean;
+}
 
 struct Followed {
     double size = 0;
@@ -143,16 +162,25 @@ private:
         }
     }
 
+    // A point for each angle, modulo a right angle: a second recording at one tells nothing new of
+    // what follows the angle.
     std::vector<Quadrature> quadratures() const {
-        std::vector<Quadrature> all;
+        std::vector<std::vector<Quadrature>> angles;
         for (std::size_t k = 0; k < fit_.runs.size(); ++k) {
             const RunEstimate& run = fit_.runs[k];
             if (run.two_theta_A_rad.given() && run.a_A.given() && run.a_B.given()) {
                 const double sd = run.a_B.sd / run.a_A.value;
-                all.push_back({run.two_theta_A_rad.value + problem_.runs[k].two_theta_zero,
-                               run.a_B.value / run.a_A.value, sd * sd});
+                const Quadrature found{run.two_theta_A_rad.value + problem_.runs[k].two_theta_zero,
+                                       run.a_B.value / run.a_A.value, sd * sd};
+                const auto known = std::ranges::find_if(angles, [&](const auto& angle) {
+                    return std::abs(std::remainder(found.two_theta - angle.front().two_theta, pi)) <
+                           one_angle;
+                });
+                (known == angles.end() ? angles.emplace_back() : *known).push_back(found);
             }
         }
+        std::vector<Quadrature> all;
+        std::ranges::transform(angles, std::back_inserter(all), mean_of);
         return all;
     }
 
@@ -173,7 +201,7 @@ private:
 
     bool add_quadrature() {
         const std::vector<Quadrature> all = quadratures();
-        if (all.size() < least_runs) {
+        if (all.size() < least_angles) {
             return false;
         }
         // a_A a_B = Im(c conj d) of a linear wave, to first order in the error.
