@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -18,6 +19,9 @@ using std::numbers::pi;
 // Step of central differences, as a share of a parameter's deviation with all others known. Within
 // its full deviation a parameter that depends on others would leave the linear range.
 constexpr double difference_share = 0.03;
+
+constexpr auto errors = static_cast<Index>(channel_errors.size());
+constexpr std::array drift_errors{phase_drift_error, gain_drift_error};
 
 // Share of a variance that a profile must add for the direction to count as undetermined.
 constexpr double unseen_share = 0.25;
@@ -52,6 +56,20 @@ Eigen::VectorXd wrong_by(const FittedSet& set, int error) {
     }
     const Eigen::VectorXd cross = p.information.col(error)(p.active);
     return p.covariance * cross;
+}
+
+// Drifts of C, phase and gain, in the order of the tolerances below: the model has those of D
+// against C, and takes what both channels do for frequency and decay.
+Effect drifts_of_c(const FittedSet& set) {
+    return effect_by_window(
+        *set.problem, std::ssize(drift_errors),
+        [&](std::size_t k, const ScaledRun& run, std::size_t window, Eigen::MatrixXd& by) {
+            const std::complex<double> drifted =
+                run.time_s[window] / run.duration_s *
+                expected_phasor(run, set.posterior.runs[k], window)[0];
+            put_effect(by, run, window, 0, {std::complex<double>(0, 1) * drifted, 0});
+            put_effect(by, run, window, 1, {drifted, 0});
+        });
 }
 
 // Position of a parameter among the quantities, and the factor from one to the other.
@@ -173,12 +191,17 @@ ReportedVariances reported_variances(const FittedSet& set,
 
 Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance) {
     Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(static_cast<Index>(set.posterior.active.size()),
-                                                  static_cast<Index>(channel_errors.size()));
+                                                  errors + std::ssize(drift_errors));
     for (std::size_t k = 0; k < channel_errors.size(); ++k) {
         const double size = tolerance.*channel_errors[k].tolerance;
         if (size > 0) {
             moved.col(static_cast<Index>(k)) = size * wrong_by(set, channel_errors[k].parameter);
         }
+    }
+    const Eigen::Vector2d drifts(tolerance.phase_drift, tolerance.gain_drift);
+    if (!drifts.isZero(0)) {
+        moved.rightCols<2>() =
+            followed(*set.problem, set.posterior, drifts_of_c(set)) * drifts.asDiagonal();
     }
     return moved;
 }
@@ -194,6 +217,11 @@ std::vector<BySource> tolerance_shares(const FittedSet& set, const ResonatorEsti
         for (std::size_t k = 0; k < channel_errors.size(); ++k) {
             all[of][channel_errors[k].source] =
                 std::abs(factor) * set.variances.shares(quantity, static_cast<Index>(k));
+        }
+        for (std::size_t k = 0; k < drift_errors.size(); ++k) {
+            double& share = all[of][drift_errors[k]];
+            share = std::hypot(
+                share, factor * set.variances.shares(quantity, errors + static_cast<Index>(k)));
         }
         all[of][spread_error] = std::abs(factor) * set.variances.spread[quantity];
     }

@@ -22,7 +22,7 @@ struct ReportedVariances {
     Eigen::VectorXd known;
     Eigen::VectorXd nothing;
     // Change of each quantity by an error of the size of each tolerance, told or assumed: root mean
-    // square of both signs. Columns as channel_errors.
+    // square of both signs. Columns as moved_by().
     Eigen::MatrixXd shares;
     Eigen::VectorXd spread;  // deviation of each quantity by the spread between the runs
 
@@ -69,7 +69,8 @@ struct FittedSet : SolvedSet {
 ReportedVariances reported_variances(const FittedSet& set, const std::vector<ProfilePoint>& beside);
 
 // Errors of the active parameters by channel errors of the size of their tolerances, of which the
-// fit knows no more than its priors: columns as channel_errors. With J e the error in the phasors,
+// fit knows no more than its priors: columns as channel_errors, and behind them drifts of C, phase
+// and gain, as large as those of D. With J e the error in the phasors,
 // S the covariance and F the information, S F_e e where the fit holds the error at zero, and
 // -S_e e/s^2 where it has the prior s.
 Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance);

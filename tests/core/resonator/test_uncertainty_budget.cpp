@@ -105,6 +105,44 @@ private slots:
         }
     }
 
+    // Neither channel is better than the other: u is the same where they change places, and holds
+    // the drift of either. That of C was not in it: the tau of a mode was 213 u off.
+    void a_drift_of_either_channel_is_in_u() {
+        const FitOptions options = with({.phase_drift = 1e-4, .gain_drift = 1e-4});
+        for (const double theta_w : {0.35, 0.02, -0.6, 0.8}) {
+            FreeDecay decay = resonator();
+            decay.theta_w = theta_w;
+            const std::vector<PhasorRun> runs = set_of(decay, four_angles, 1000, 5);
+            std::vector<PhasorRun> exchanged = runs;
+            std::vector<PhasorRun> drifted = runs;
+            for (std::size_t k = 0; k < runs.size(); ++k) {
+                std::swap(exchanged[k].c, exchanged[k].d);
+                for (std::size_t w = 0; w < runs[k].c.size(); ++w) {
+                    const double share = runs[k].time_s[w] / runs[k].time_s.back();
+                    drifted[k].c[w] *= std::polar(1 + 1e-4 * share, 1e-4 * share);
+                }
+            }
+            const ResonatorFit fit = fitted(runs, options);
+            const ResonatorFit other = fitted(exchanged, options);
+            const ResonatorFit moved = fitted(drifted, options);
+            for (const auto member :
+                 {&ResonatorEstimate::f_mean_hz, &ResonatorEstimate::split_hz,
+                  &ResonatorEstimate::tau_s, &ResonatorEstimate::damping_anisotropy_per_s}) {
+                const Estimate& one = fit.resonator.*member;
+                VYBEG_CLOSE((other.resonator.*member).u, one.u, 0.05 * one.u);
+                VYBEG_LESS(std::abs((moved.resonator.*member).value - one.value), 1.5 * one.u);
+            }
+            for (std::size_t mode = 0; mode < 2; ++mode) {
+                for (const auto member : {&ModeEstimate::f_hz, &ModeEstimate::tau_s}) {
+                    const Estimate& one = fit.modes[mode].*member;
+                    VYBEG_CLOSE((other.modes[mode].*member).u, one.u, 0.05 * one.u);
+                    VYBEG_LESS(std::abs((moved.modes[mode].*member).value - one.value),
+                               1.5 * one.u);
+                }
+            }
+        }
+    }
+
     // A share is the change of the result by an error of one standard deviation that the fit does
     // not know of: D that has a little of C in it moves the fit by as much.
     void a_share_is_the_change_by_an_error_of_the_tolerances_size() {
