@@ -374,7 +374,7 @@ bool has_equals_sign(const std::string& field) {
 class HeaderLines {
 public:
     HeaderLines(const LinesAbove& above, TextFormat& format) : above_(above), format_(format) {
-        format.headings.resize(above.rows.longest);
+        format.headings.resize(above.longest);
     }
 
     void run() {
