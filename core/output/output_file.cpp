@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <poll.h>
 #include <sys/file.h>

@@ -1,7 +1,5 @@
 #include "core/output/track_columns.h"
 
-#include "core/base/error.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>

@@ -1,6 +1,5 @@
 #include "core/recording/text/text_reading.h"
 
-#include "core/base/number_text.h"
 #include "core/recording/samples/text_fields.h"
 
 #include <tbb/parallel_for.h>

@@ -1,6 +1,5 @@
 #include "core/recording/text/uff_reader.h"
 
-#include "core/base/error.h"
 #include "core/base/message_arg.h"
 #include "core/recording/bytes/text_encoding.h"
 #include "core/recording/samples/column_source.h"
