@@ -3,8 +3,8 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/ledger.h"
-#include "ui/plots/track_view.h"
 #include "ui/plots/plot_view.h"
+#include "ui/plots/track_view.h"
 #include "ui/residuals/residuals_page.h"
 #include "ui/words/display_units.h"
 

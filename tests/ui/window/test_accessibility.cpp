@@ -4,9 +4,9 @@
 #include "tests/ui/gui_test.h"
 #include "ui/batch/batch_window.h"
 #include "ui/charts/round_plot.h"
+#include "ui/plots/plot_view.h"
 #include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
-#include "ui/plots/plot_view.h"
 #include "ui/window/export_dialogs.h"
 
 #include <QAbstractButton>
