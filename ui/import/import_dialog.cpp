@@ -188,6 +188,20 @@ void ImportPreview::fillTable() {
     }
 }
 
+// Of text the channels, not the columns, know that a scale leaves no unit of the file.
+QString ImportPreview::unitOfSamples() const {
+    const std::vector<Channel>& from = preview_.used ? preview_.channels : preview_.columns;
+    const auto unit = [&](int column) {
+        const bool behind_time =
+            preview_.used && preview_.time_column >= 0 && preview_.time_column < column;
+        const auto k = static_cast<std::size_t>(column - (behind_time ? 1 : 0));
+        return column >= 0 && k < from.size() ? from[k].unit : std::string();
+    };
+    const bool alone = preview_.d_column < 0;  // channel D has a file of its own
+    const std::string of_c = unit(preview_.c_column);
+    return alone || of_c == unit(preview_.d_column) ? QString::fromStdString(of_c) : QString();
+}
+
 void ImportPreview::drawSamples() {
     plot_->setVisible(!preview_.c.empty());
     const auto frames = preview_.c.size();
@@ -202,14 +216,7 @@ void ImportPreview::drawSamples() {
     }
     plot_->graph(0)->setData(x, {preview_.c.begin(), preview_.c.end()}, true);
     plot_->graph(1)->setData(x, {preview_.d.begin(), preview_.d.end()}, true);
-    const auto unit = [this](int column) {
-        return column >= 0 && column < std::ssize(preview_.columns)
-                   ? preview_.columns[static_cast<std::size_t>(column)].unit
-                   : std::string();
-    };
-    plot_->yAxis->setLabel(unit(preview_.c_column) == unit(preview_.d_column)
-                               ? QString::fromStdString(unit(preview_.c_column))
-                               : QString());
+    plot_->yAxis->setLabel(unitOfSamples());
     plot_->xAxis->setLabel(timed || preview_.rate_hz ? tr("ms") : tr("samples"));
     if (frames > 0) {
         plot_->yAxis->rescale();
