@@ -132,6 +132,10 @@ private slots:
                 QCOMPARE(each.sha256.size(), 64);
                 QVERIFY2(text.contains(each.sha256), qPrintable(each.sha256));
             }
+            for (const ReportAnalysis& each : content.analyses) {
+                const QString instant = QLocale().toString(each.means.mean_at_s, 'f', 3);
+                QVERIFY2(text.contains(instant), qPrintable(instant));
+            }
             int given = 0;
             for (const QuantityRow& row : resonatorRows(found, content.units)) {
                 const QString& value = row.cells.front().text;
