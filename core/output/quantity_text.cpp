@@ -64,7 +64,8 @@ QuantityText quantity_text(double value, double sd, double u) {
         return statistical;
     }
     QuantityText both = statistical;
-    if (u * std::pow(10.0, -statistical.exponent) < most) {
+    const double most_shared = statistical.exponent == 0 ? most : 10;
+    if (u * std::pow(10.0, -statistical.exponent) < most_shared) {
         both.u_exponent = statistical.exponent;
     } else if (u < least || u >= most) {
         both.u_exponent = static_cast<int>(std::floor(std::log10(u)));

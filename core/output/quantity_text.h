@@ -11,7 +11,7 @@ struct QuantityText {
     std::string sd;      // "0.00005"; empty where there is no deviation
     int exponent = 0;    // all are to be multiplied by 10^exponent; 0 for ordinary sizes
     std::string u{};     // combined uncertainty, rounded by itself; empty: none, or as sd
-    int u_exponent = 0;  // of u: as `exponent` while u has up to seven digits then
+    int u_exponent = 0;  // of u: as `exponent` if that is 0 or u has one digit then
 
     friend bool operator==(const QuantityText&, const QuantityText&) = default;
 };

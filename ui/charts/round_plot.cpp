@@ -8,6 +8,7 @@
 #include <QCategoryAxis>
 #include <QChart>
 #include <QChartView>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLabel>
@@ -67,6 +68,8 @@ void paintAxis(QCategoryAxis& axis, const Theme& theme) {
     axis.setLabelsFont(chartFont());
     axis.setTitleFont(chartFont());
     axis.setTitleBrush(theme.text);
+    // Qt counts the room of a number too small; numbers that would touch are left out anyway.
+    axis.setTruncateLabels(false);
 }
 
 QCategoryAxis& axisOf(const QChart& chart, Qt::Orientation orientation) {
@@ -101,6 +104,18 @@ QRectF squareIn(QSizeF size) {
         std::max(20., std::min(size.width() - left - edge, size.height() - below - edge));
     const double x = left + (size.width() - left - edge - side) / 2;
     return {x, edge, side, side};
+}
+
+// The circle of a polar plot in a chart of a size. Qt leaves room for angles that stand between
+// the lines, not at them, and cuts those at the sides.
+QRectF circleIn(QSizeF size) {
+    constexpr double beside = 8;  // a tick and the margin of a text
+    const QFontMetricsF metrics(chartFont());
+    const double across = metrics.horizontalAdvance(QStringLiteral("270°")) + beside;
+    const double above = metrics.height() + beside;
+    const double side =
+        std::max(20., std::min(size.width() - 2 * across, size.height() - 2 * above));
+    return {(size.width() - side) / 2, (size.height() - side) / 2, side, side};
 }
 
 bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& theme) {
@@ -182,9 +197,7 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
         qobject_cast<QXYSeries*>(shown[k])->replace(
             pointsOf(content.series[static_cast<std::size_t>(k)]));
     }
-    if (!content.polar) {
-        chart.setPlotArea(squareIn(chart.size()));
-    }
+    chart.setPlotArea(content.polar ? circleIn(chart.size()) : squareIn(chart.size()));
     chart.setTitle(content.series.empty() ? content.empty : QString());
     chart.setTitleBrush(theme.mutedText);
     chart.setTitleFont(chartFont());

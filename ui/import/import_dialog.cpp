@@ -45,6 +45,14 @@ QJsonArray imports() {
 
 constexpr int preview_key = 0;
 
+// Numbers with a true minus, as beside all axes.
+class MinusTicker : public QCPAxisTicker {
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+        return QCPAxisTicker::getTickLabel(tick, locale, format, precision)
+            .replace('-', QChar(0x2212));
+    }
+};
+
 }  // namespace
 
 ImportPreview::ImportPreview(QWidget* parent)
@@ -76,7 +84,11 @@ ImportPreview::ImportPreview(QWidget* parent)
     plot_->legend->setVisible(true);
     plot_->legend->setFillOrder(QCPLegend::foColumnsFirst);
     plot_->legend->setBorderPen(Qt::NoPen);
-    plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
+    // Above the samples, which it would cover.
+    plot_->plotLayout()->insertRow(0);
+    plot_->plotLayout()->addElement(0, 0, plot_->legend);
+    plot_->plotLayout()->setRowStretchFactor(0, 0.001);
+    plot_->yAxis->setTicker(QSharedPointer<MinusTicker>::create());
     plot_->xAxis->ticker()->setTickCount(7);
     plot_->yAxis->ticker()->setTickCount(4);
     auto* parts = new QSplitter(Qt::Vertical, this);
@@ -176,6 +188,20 @@ void ImportPreview::fillTable() {
     }
 }
 
+// Of text the channels, not the columns, know that a scale leaves no unit of the file.
+QString ImportPreview::unitOfSamples() const {
+    const std::vector<Channel>& from = preview_.used ? preview_.channels : preview_.columns;
+    const auto unit = [&](int column) {
+        const bool behind_time =
+            preview_.used && preview_.time_column >= 0 && preview_.time_column < column;
+        const auto k = static_cast<std::size_t>(column - (behind_time ? 1 : 0));
+        return column >= 0 && k < from.size() ? from[k].unit : std::string();
+    };
+    const bool alone = preview_.d_column < 0;  // channel D has a file of its own
+    const std::string of_c = unit(preview_.c_column);
+    return alone || of_c == unit(preview_.d_column) ? QString::fromStdString(of_c) : QString();
+}
+
 void ImportPreview::drawSamples() {
     plot_->setVisible(!preview_.c.empty());
     const auto frames = preview_.c.size();
@@ -190,6 +216,7 @@ void ImportPreview::drawSamples() {
     }
     plot_->graph(0)->setData(x, {preview_.c.begin(), preview_.c.end()}, true);
     plot_->graph(1)->setData(x, {preview_.d.begin(), preview_.d.end()}, true);
+    plot_->yAxis->setLabel(unitOfSamples());
     plot_->xAxis->setLabel(timed || preview_.rate_hz ? tr("ms") : tr("samples"));
     if (frames > 0) {
         plot_->yAxis->rescale();

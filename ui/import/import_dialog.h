@@ -34,6 +34,7 @@ public:
 private:
     void showProblem();
     void fillTable();
+    QString unitOfSamples() const;
     void drawSamples();
     void applyLook();
 

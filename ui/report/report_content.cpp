@@ -5,6 +5,9 @@
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
 
+#include <QLocale>
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <initializer_list>
 #include <iterator>
@@ -18,7 +21,7 @@ namespace {
 QString told(const MeasurementSet& set, std::string Conditions::*condition, const QString& usual) {
     QStringList values;
     for (const RecordingRef& listed : set.recordings) {
-        const QString value = QString::fromStdString(listed.conditions.*condition);
+        const QString value = dateText(QString::fromStdString(listed.conditions.*condition));
         if (!value.isEmpty() && !values.contains(value)) {
             values << value;
         }
@@ -142,11 +145,25 @@ bool ofLogsAlone(const ReportContent& content) {
     return content.recordings.empty() && content.drift;
 }
 
+QString dateText(const QString& standard) {
+    static const QRegularExpression date(
+        QStringLiteral("^(\\d{4})-(\\d\\d)-(\\d\\d)(?:[T ](\\d\\d:\\d\\d.*))?$"));
+    const auto found = date.match(standard);
+    if (!found.hasMatch()) {
+        return standard;
+    }
+    const bool russian = QLocale().language() == QLocale::Russian;
+    return (russian ? QStringLiteral("%3.%2.%1 %4") : QStringLiteral("%1-%2-%3 %4"))
+        .arg(found.captured(1), found.captured(2), found.captured(3), found.captured(4))
+        .trimmed();
+}
+
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {
-        if (!each.start.isEmpty() && !starts.contains(each.start)) {
-            starts << each.start;
+        if (const QString start = dateText(each.start);
+            !start.isEmpty() && !starts.contains(start)) {
+            starts << start;
         }
     }
     return starts.size() > 1 ? QStringLiteral("%1 … %2").arg(starts.first(), starts.last())

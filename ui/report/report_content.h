@@ -96,6 +96,10 @@ ReportTitle titleOf(const GyroData& gyro);
 // The title, with the texts of `otherwise` where it has none.
 ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise);
 
+// A date, or a date with a time, of the standard (2026-11-28T09:59) as the interface's language
+// writes it; any other text as it is.
+QString dateText(const QString& standard);
+
 // Date of the recordings as their files tell it; the first and the last of several. Empty where
 // none does.
 QString measuredOn(const std::vector<ReportRecording>& recordings);

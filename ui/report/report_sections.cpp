@@ -287,7 +287,7 @@ QString recordingsSection(const ReportContent& content) {
                     {26, 29, 18, 14, 13}};
     for (const ReportRecording& each : content.recordings) {
         table.rows.push_back({bold(each.name), each.format.toHtmlEscaped(),
-                              each.start.isEmpty() ? none : each.start.toHtmlEscaped(),
+                              each.start.isEmpty() ? none : dateText(each.start).toHtmlEscaped(),
                               rateText(each.rate_hz), seconds(each.seconds, 3)});
         const QString hash = each.sha256.isEmpty()
                                  ? ReportWords::tr("not computed yet").toHtmlEscaped()
@@ -324,8 +324,7 @@ QString settingsSection(const ReportContent& content) {
                                   countLabel(analysis.plan.length), countLabel(analysis.plan.hop))),
                               richText(countLabel(analysis.plan.count)),
                               valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
-                              shortNumberText(each.means.mean_at_s, 4),
-                              noiseText(each.means.noise)});
+                              seconds(each.means.mean_at_s, 3), noiseText(each.means.noise)});
         if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
             table.rows.push_back({monospaced(options)});
         }

@@ -16,6 +16,7 @@ constexpr double samples_in_pixel = 4;
 constexpr double points_in_period = 12;
 constexpr double least_period = 8;  // pixels of a period that is seen
 constexpr double margin = 0.06;
+constexpr double note_inset = 2;  // pixels between the frame and a note
 
 AxisRange withMargin(const Extent& extent) {
     if (extent.low > extent.high) {
@@ -393,11 +394,19 @@ SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head,
     new SignalGraph(timeAxis(), valueAxis(), part, content, picture);  // of the plot
 }
 
-void SignalPanel::refresh(const QFont& font) {
+void SignalPanel::refresh(const QFont& font, bool noted) {
     setLook(content_.theme, font);
     setScaleShown(emptyText().isEmpty());
     setTime(content_.time);
-    setValues(valuesOf(content_, picture_, part_));
+    AxisRange values = valuesOf(content_, picture_, part_);
+    if (noted) {
+        // Of the line of text a part has room in the margin.
+        const double line =
+            (QFontMetricsF(font).height() + 2 * note_inset) / std::max(1, expectedSize().height());
+        const double beyond = values.span() * margin / (1 + 2 * margin);
+        values.upper += std::max(0., line * values.span() - beyond) / (1 - std::min(0.5, line));
+    }
+    setValues(values);
 }
 
 QString SignalPanel::emptyText() const {
@@ -430,7 +439,7 @@ void SignalStack::setContent(SignalContent content, QSize size) {
     prepare(size);
     picture_ = pictureOf(content_, frameWidth(size.width()));
     for (SignalPanel* panel : panels_) {
-        panel->refresh(plotFont(plot()));
+        panel->refresh(plotFont(plot()), head() == PlotHead::margin);
     }
     setLook(content_.theme);
     if (head() == PlotHead::line) {
@@ -528,7 +537,7 @@ void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) cons
     }
     const Theme& theme = stack_.content().theme;
     painter.setFont(panel.font());
-    const QRectF area = QRectF(panel.rect()).adjusted(6, 2, -6, -2);
+    const QRectF area = QRectF(panel.rect()).adjusted(6, note_inset, -6, -note_inset);
     const QRectF box =
         painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);
     painter.fillRect(box, translucent(theme.panelBackground, 0.8));

@@ -108,8 +108,9 @@ public:
                 const SignalPicture& picture);
 
     SignalPart part() const { return part_; }
-    // Content or picture are others.
-    void refresh(const QFont& font);
+    // Content or picture are others. `noted`: the overlay writes into the plot, above what is
+    // drawn.
+    void refresh(const QFont& font, bool noted);
 
 protected:
     QString symbol() const override;

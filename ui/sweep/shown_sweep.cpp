@@ -297,11 +297,13 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
 }
 
 QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
-    QStringList headers{SweepWords::tr("windows"), SweepWords::tr("scatter")};
+    const QString unit = sweepUnit(view, view.variable);
+    QStringList headers{SweepWords::tr("windows"), withUnit(SweepWords::tr("scatter"), unit)};
     for (const Column& column : shownColumns(sweep, view)) {
-        headers << SweepWords::tr(column.name);
+        headers << withUnit(SweepWords::tr(column.name), unit);
     }
-    return headers << SweepWords::tr("rms") << SweepWords::tr("noise");
+    return headers << withUnit(SweepWords::tr("rms"), view.channel_unit)
+                   << withUnit(SweepWords::tr("noise"), view.channel_unit);
 }
 
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {

@@ -339,6 +339,7 @@ void SweepPage::showFound() {
         use_->setText(tr("Use n = %1").arg(shown->lengths[*length].length));
     }
     table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
+    table_->horizontalHeaderItem(0)->setText(QStringLiteral("n"));
 }
 
 QLayout* SweepPage::buildHead() {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace vybeg::ui {
@@ -67,6 +68,9 @@ CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable vari
       value_(analysis_->track.values(variable)),
       sd_(analysis_->track.sds(variable)),
       wrapped_(isWrapped(variable)) {
+    if (variable == SlowVariable::delta_phi_CD) {
+        joinTurns();
+    }
     for (std::size_t size = fan; size <= rows(); size *= fan) {
         std::vector<CurveColumn> level;
         level.reserve(rows() / size);
@@ -76,6 +80,41 @@ CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable vari
         levels_.push_back(std::move(level));
     }
     empty_ = std::none_of(value_.begin(), value_.end(), [](double v) { return std::isfinite(v); });
+}
+
+// A difference of phases about pi, whose track has values near pi and near -pi, is one curve; alpha
+// goes round.
+void CurveData::joinTurns() {
+    constexpr double together = 0.5;  // length of the mean of the unit vectors
+    bool turns = false;
+    double last = std::nan("");
+    for (const double value : value_) {
+        if (std::isfinite(value)) {
+            turns = turns || std::abs(value - last) > std::numbers::pi;
+            last = value;
+        }
+    }
+    if (!turns) {
+        return;
+    }
+    std::complex<double> sum;
+    double count = 0;
+    for (const double value : value_) {
+        if (std::isfinite(value)) {
+            sum += std::polar(1., value);
+            ++count;
+        }
+    }
+    if (std::abs(sum) < together * count) {
+        return;
+    }
+    middle_ = std::arg(sum);
+    constexpr double turn = 2 * std::numbers::pi;
+    joined_.assign(value_.begin(), value_.end());
+    for (double& value : joined_) {
+        value -= turn * std::round((value - middle_) / turn);
+    }
+    value_ = joined_;
 }
 
 // The time-critical loop of drawing, reduced to the needs of a row.
@@ -104,7 +143,7 @@ void CurveData::addRows(CurveColumn& column, std::size_t begin, std::size_t end)
         const double sd = banded && std::isfinite(sd_[row]) ? sd_[row] : 0;
         sum.band_min = std::min(sum.band_min, value - sd);
         sum.band_max = std::max(sum.band_max, value + sd);
-        if (wrapped_ && value < 0) {
+        if (wrapped_ && value < middle_) {
             sum.negative_max = std::max(sum.negative_max, value);
         } else if (wrapped_) {
             sum.positive_min = std::min(sum.positive_min, value);

@@ -24,7 +24,7 @@ struct CurveColumn {
     std::size_t count = 0;                                      // of the windows with a value
     double band_min = std::numeric_limits<double>::infinity();  // of value - sd and value + sd
     double band_max = -std::numeric_limits<double>::infinity();
-    // Of the values below and above zero, for angles that pass from pi to -pi inside the column.
+    // Of the values below and above the middle, for angles that make a turn inside the column.
     double negative_max = -std::numeric_limits<double>::infinity();
     double positive_min = std::numeric_limits<double>::infinity();
     bool wraps = false;
@@ -43,6 +43,8 @@ void append(CurveColumn& column, const CurveColumn& next);
 class CurveData {
 public:
     CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable);
+    CurveData(const CurveData&) = delete;
+    CurveData& operator=(const CurveData&) = delete;
 
     // Visible part between two times (s) in `count` equal columns, plus one column beyond each end;
     // columns without a window are omitted. Columns begin at whole multiples of their width, so
@@ -52,6 +54,7 @@ public:
     // The window nearest to a time; precondition: the track has rows.
     std::size_t nearest(double time_s) const;
     double time(std::size_t row) const { return time_[row]; }
+    // Of delta_phi_CD, where its values keep together, the one next to their middle modulo a turn.
     double value(std::size_t row) const { return value_[row]; }
 
     // Whether no window has a value.
@@ -63,6 +66,7 @@ public:
 private:
     static constexpr std::size_t fan = 64;  // rows in a block, blocks in one of the next level
 
+    void joinTurns();
     void addRows(CurveColumn& column, std::size_t begin, std::size_t end) const;
     CurveColumn summarise(std::size_t begin, std::size_t end) const;
 
@@ -72,6 +76,8 @@ private:
     std::span<const double> value_;
     std::span<const double> sd_;
     bool wrapped_ = false;
+    double middle_ = 0;           // of an angle
+    std::vector<double> joined_;  // its values, if they are not those of the track
     bool empty_ = true;
     std::vector<std::vector<CurveColumn>> levels_;
 };

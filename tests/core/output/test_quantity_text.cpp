@@ -72,6 +72,12 @@ private slots:
         QCOMPARE(both.u, std::string("0.0003"));
         QCOMPARE(quantity_text(3.21e-7, 1e-8, 1.5e-8).u, std::string("0.15"));
         QCOMPARE(quantity_text(3.21e-7, 1e-8, 1.5e-8).u_exponent, -7);
+        // 5000·10^-5 and 80·10^-8 were such u.
+        QCOMPARE(quantity_text(1e-5, 9e-5, 0.05).u, std::string("0.05"));
+        QCOMPARE(quantity_text(1e-5, 9e-5, 0.05).u_exponent, 0);
+        QCOMPARE(quantity_text(1e-8, 9e-8, 8e-7).u, std::string("8"));
+        QCOMPARE(quantity_text(1e-8, 9e-8, 8e-7).u_exponent, -7);
+        QCOMPARE(quantity_text(53127, 1200, 90000).u, std::string("90000"));
         // 100 000 000 000 000·10^-12 was such a u.
         const QuantityText apart = quantity_text(-6e-12, 3e-12, 100);
         QCOMPARE(apart.exponent, -12);

@@ -1,8 +1,11 @@
 // Figures of an identification as values.
 #include "tests/test_registry.h"
+#include "ui/charts/round_plot.h"
 #include "ui/plots/plot_file.h"
 #include "ui/resonator/resonator_plots.h"
 
+#include <QChartView>
+#include <QGraphicsTextItem>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -84,6 +87,38 @@ private slots:
         polar.reach = 0.016;
         const QString radii = svgOf(polar);
         QVERIFY(radii.contains("0.008") && radii.contains("0.016") && radii.contains("315°"));
+    }
+
+    // Qt leaves no room for angles at the sides of the circle, and too little for numbers.
+    void no_number_at_an_axis_is_cut() {
+        RoundPlot plot;
+        plot.reach = 0.6;
+        plot.series.push_back({.name = {}, .color = Qt::blue, .x = {0, 1}, .y = {0.1, 0.2}});
+        for (const QSize size : {QSize(484, 560), QSize(260, 260), QSize(600, 300)}) {
+            for (const auto& [polar, numbers] :
+                 {std::pair{true, QStringList{"0°", "90°", "180°", "270°"}},
+                  std::pair{false, QStringList{"−0.60", "0.00", "0.60"}}}) {
+                plot.polar = polar;
+                RoundView view(polar);
+                view.resize(size);
+                view.setContent(plot);
+                view.show();
+                QCoreApplication::processEvents();
+                const auto& chart = *view.findChild<QChartView*>();
+                QStringList shown;
+                for (const QGraphicsItem* item : chart.scene()->items()) {
+                    const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
+                    if (text && text->isVisible() && !text->toPlainText().isEmpty()) {
+                        shown << text->toPlainText();
+                        QVERIFY2(chart.sceneRect().contains(text->sceneBoundingRect()),
+                                 qPrintable(shown.last()));
+                    }
+                }
+                for (const QString& number : numbers) {
+                    QVERIFY2(shown.contains(number), qPrintable(shown.join(' ')));
+                }
+            }
+        }
     }
 
     // Colours are those of recordings.

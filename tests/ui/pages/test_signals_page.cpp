@@ -84,6 +84,26 @@ private slots:
     void init() { window_ = shownWindow(); }
     void cleanup() { window_.reset(); }
 
+    // Whatever a plot holds, the note in its corner covers none of it.
+    void notes_stand_above_what_is_drawn() {
+        open(home_.recording("notes.wav"));
+        goToSignals();
+        QCustomPlot plot;
+        preparePlot(plot, lightTheme());
+        SignalStack stack(plot, {SignalPart::c, SignalPart::d, SignalPart::residual},
+                          PlotHead::margin);
+        for (const int height : {300, 500, 1000}) {
+            stack.setContent(view().content(), {900, height});
+            for (const SignalPanel* panel : stack.panels()) {
+                const AxisRange drawn = valuesOf(stack.content(), stack.picture(), panel->part());
+                const double top = drawn.upper - 0.06 / 1.12 * drawn.span();
+                const double above = (panel->values().upper - top) / panel->values().span();
+                VYBEG_AT_LEAST(above * panel->expectedSize().height(),
+                               QFontMetricsF(panel->font()).height());
+            }
+        }
+    }
+
     void an_hour_is_an_envelope_and_three_periods_are_samples() {
         open(home_.recording("demo.wav"));
         goToSignals();

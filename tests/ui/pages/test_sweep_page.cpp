@@ -106,8 +106,9 @@ private slots:
         for (int column = 1; column < table.columnCount(); ++column) {
             titles << table.horizontalHeaderItem(column)->text();
         }
-        QVERIFY2(titles.contains("Cramér-Rao bound"), qPrintable(titles.join('|')));
-        QVERIFY2(!titles.contains("own leakage"), qPrintable(titles.join('|')));
+        QVERIFY2(titles.contains("Cramér-Rao bound, °"), qPrintable(titles.join('|')));
+        QVERIFY2(!titles.join('|').contains("own leakage"), qPrintable(titles.join('|')));
+        QCOMPARE(table.horizontalHeaderItem(0)->text(), QString("n"));
         // A deviation has three digits, its zeros among them.
         for (int row = 0; row < table.rowCount(); ++row) {
             QString digits = table.item(row, table.columnCount() - 1)->text();

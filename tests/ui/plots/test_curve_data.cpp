@@ -106,6 +106,24 @@ private slots:
         QCOMPARE(told, 1);
     }
 
+    // Its values have either sign.
+    void an_angle_about_pi_is_one_curve() {
+        constexpr double pi = std::numbers::pi;
+        const auto analysis = analysisOf(2000, SlowVariable::delta_phi_CD, [](std::size_t row) {
+            const double angle = pi - 1e-4 * double(row) + 0.05 * hash(row);
+            return angle > pi ? angle - 2 * pi : angle;
+        });
+        const CurveData data(analysis, SlowVariable::delta_phi_CD);
+        const auto columns = data.columns({0, 1999}, 100);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            QVERIFY(!columns[i].wraps && columns[i].joined == (i > 0));
+            const double middle = pi - 1e-4 * columns[i].time_first;
+            VYBEG_WITHIN(columns[i].min, middle, 0.06);
+            VYBEG_WITHIN(columns[i].max, middle, 0.06);
+        }
+        VYBEG_WITHIN(data.value(0), pi, 0.06);
+    }
+
     void no_line_leads_over_a_gap() {
         const auto analysis = analysisOf(40, SlowVariable::a_B, [](std::size_t row) {
             return 10 <= row && row < 13 ? missing : double(row);

@@ -124,6 +124,14 @@ private slots:
             QCOMPARE(dialog_->options().rate_hz, std::optional(8000.5));
         }
         QCOMPARE(told(), QString("text, 2 columns, semicolon, decimal comma"));
+        // The legend covers no sample, and numbers have a true minus.
+        QCustomPlot& plot = the<QCustomPlot>();
+        VYBEG_AT_MOST(plot.legend->outerRect().bottom(), plot.axisRect()->top());
+        QVector<double> ticks;
+        QVector<QString> numbers;
+        plot.yAxis->ticker()->generate({-1.5, 1.5}, QLocale(), 'g', 6, ticks, nullptr, &numbers);
+        const QString all = QStringList(numbers).join(' ');
+        QVERIFY2(all.contains(QChar(0x2212)) && !all.contains('-'), qPrintable(all));
     }
 
     void the_file_of_the_other_channel_is_found_by_its_name_and_makes_a_pair() {
@@ -238,6 +246,7 @@ private slots:
         type("unit", "mV");
         QTRY_COMPARE(the<QComboBox>("channel_c").currentText(), QString("1 [mV]"));
         QCOMPARE(the<QCustomPlot>().graph(0)->data()->at(0)->value, 0.75);
+        QCOMPARE(the<QCustomPlot>().yAxis->label(), QString("mV"));
         QCOMPARE(dialog_->options().unit, std::string("mV"));
         QCOMPARE(dialog_->options().text->time_column, std::optional(2));
         QCOMPARE(dialog_->options().text->lines_to_skip, std::optional<std::int64_t>(1));
