@@ -223,6 +223,16 @@
         </message>
     </context>
     <context>
+        <name>vybeg::ui::MessageBar</name>
+        <message numerus="yes">
+            <source>%n more message(s)</source>
+            <translation>
+                <numerusform>%n more message</numerusform>
+                <numerusform>%n more messages</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>vybeg::ui::SessionKeeper</name>
         <message numerus="yes">
             <source>A session was not closed, and can be recovered: %1, %n recording(s), %2.</source>

@@ -7078,6 +7078,22 @@
 </context>
 <context>
     <name>vybeg::ui::MessageBar</name>
+    <message numerus="yes">
+        <source>%n more message(s)</source>
+        <translation>
+            <numerusform>Ещё %n сообщение</numerusform>
+            <numerusform>Ещё %n сообщения</numerusform>
+            <numerusform>Ещё %n сообщений</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close all</source>
+        <translation>Закрыть все</translation>
+    </message>
+    <message>
+        <source>Closes all messages but questions</source>
+        <translation>Закрывает все сообщения, кроме вопросов</translation>
+    </message>
     <message>
         <source>Close this message</source>
         <translation>Закрыть это сообщение</translation>

@@ -396,7 +396,8 @@ void DriftPage::showFound() {
         for (const QString& name : headers.mid(1)) {
             logs << QFileInfo(name).completeBaseName();
         }
-        harmonics_->setContent(headers.mid(0, 1) + distinctNames(logs), logRows(drift, units()));
+        const QStringList all = headers.mid(0, 1);
+        harmonics_->setContent(all + logs, logRows(drift, units()), all + distinctNames(logs));
         agreement_->setText(paragraphs(agreementTexts(drift), QStringLiteral("%1")));
         resonator_->setContent({}, heldRows(drift.resonator, units()));
         statistical_->setText(richText(channelsText(pick_offs(shown_->settings.tolerance))));

@@ -271,6 +271,7 @@ void HistoryPage::showHistory() {
     }
     const HistoryView now = view();
     values_.shown = valuesPlot(now);
+    values_.shown.plot.y_range = wholeRange(now, values_.shown.plot);
     ranges_.shown = rangesPlot(now);
     average_.shown = averagePlot(now);
     for (const Chart* chart : {&values_, &ranges_, &average_}) {

@@ -117,20 +117,23 @@ XYSeries pointsAt(const Placed& at, const std::vector<double>& values, double fa
 }
 
 // Ends of a level below all points; about a single place as wide as shows it.
-std::vector<double> acrossAll(const std::vector<double>& x) {
-    const auto [least, most] = std::ranges::minmax(x);
-    // Of the order of the results half a place; of a date minutes, of a frequency 1e-6.
-    const double aside = most > least ? 0 : std::abs(least) < 1000 ? 0.5 : 1e-6 * std::abs(least);
+std::vector<double> acrossAll(const XYPlot& plot) {
+    const auto [least, most] = std::ranges::minmax(plot.series.front().x);
+    // Of the order of the results half a place; of a date days, of a frequency 1e-6.
+    constexpr double days_s = 3 * 86400.0;
+    const double aside = most > least               ? 0
+                         : plot.x_is_date           ? days_s
+                         : std::abs(least) < 1000.0 ? 0.5
+                                                    : 1e-6 * std::abs(least);
     return {least - aside, most + aside};
 }
 
 // A level across the plot.
 void addLevel(XYPlot& plot, const QString& name, double level, Ink ink, bool dashed) {
-    const std::vector<double>& x = plot.series.front().x;
-    if (!std::isfinite(level) || x.empty()) {
+    if (!std::isfinite(level) || plot.series.front().x.empty()) {
         return;
     }
-    plot.series.push_back(dashedLine(name, ink, acrossAll(x), {level, level}));
+    plot.series.push_back(dashedLine(name, ink, acrossAll(plot), {level, level}));
     plot.series.back().dashed = dashed;
 }
 
@@ -226,14 +229,13 @@ HistoryPlot sequencePlot(const HistoryView& view, const ControlChart& chart, dou
 }
 
 void addPassport(XYPlot& plot, const HistoryView& view, double factor) {
-    const std::vector<double>& x = plot.series.front().x;
-    if (!view.passport || !std::isfinite(view.passport->value) || x.empty()) {
+    if (!view.passport || !std::isfinite(view.passport->value) || plot.series.front().x.empty()) {
         return;
     }
     const double value = factor * view.passport->value;
     XYSeries band{.name = HistoryWords::tr("passport ± 3 u"),
                   .ink = Ink::channel_c,
-                  .x = acrossAll(x),
+                  .x = acrossAll(plot),
                   .y = {value, value}};
     const double wide = std::abs(factor) * passport_deviations * view.passport->u;
     if (std::isfinite(wide)) {
@@ -330,6 +332,31 @@ XYPlot distributionPlot(const HistoryView& view) {
     std::ranges::transform(normal.x, normal.x.begin(), value);
     plot.series = {std::move(steps), std::move(normal)};
     return plot;
+}
+
+AxisRange wholeRange(const HistoryView& view, const XYPlot& values) {
+    AxisRange range = shownValues(values);
+    const Histogram& found = view.charts.histogram;
+    if (found.counts.empty()) {
+        return range;
+    }
+    constexpr double normal_reach = 3;  // beyond, the curve is on the axis
+    const auto is_filled = [](std::int64_t count) { return count > 0; };
+    const auto bins = static_cast<double>(found.counts.size());
+    const auto before =
+        static_cast<double>(std::ranges::find_if(found.counts, is_filled) - found.counts.begin());
+    const auto behind =
+        static_cast<double>(std::find_if(found.counts.rbegin(), found.counts.rend(), is_filled) -
+                            found.counts.rbegin());
+    const double low = std::min(found.low + before * found.width, -normal_reach);
+    const double high = std::max(found.low + (bins - behind) * found.width, normal_reach);
+    const double factor = shownIn(view).factor;
+    const double a = factor * (view.charts.moments.mean + low * view.charts.moments.sd);
+    const double b = factor * (view.charts.moments.mean + high * view.charts.moments.sd);
+    const double spare = 0.02 * std::abs(b - a);
+    range.lower = std::min({range.lower, a - spare, b - spare});
+    range.upper = std::max({range.upper, a + spare, b + spare});
+    return range;
 }
 
 XYPlot besideValues(XYPlot distribution, const XYPlot& values) {

@@ -91,6 +91,8 @@ HistoryPlot valuesPlot(const HistoryView& view);
 HistoryPlot rangesPlot(const HistoryView& view);
 HistoryPlot averagePlot(const HistoryView& view);
 XYPlot distributionPlot(const HistoryView& view);
+// The range of the values in which their distribution is seen whole.
+AxisRange wholeRange(const HistoryView& view, const XYPlot& values);
 // The distribution turned onto the axis of the values, to stand beside them.
 XYPlot besideValues(XYPlot distribution, const XYPlot& values);
 

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <iterator>
+#include <ranges>
 
 namespace vybeg::ui {
 
@@ -21,8 +21,15 @@ constexpr std::size_t most_messages = 3;
 
 }  // namespace
 
-MessageBar::MessageBar(QWidget* parent) : QWidget(parent), layout_(new QVBoxLayout(this)) {
-    fill(layout_, {}, 2, {});
+MessageBar::MessageBar(QWidget* parent)
+    : QWidget(parent),
+      layout_(new QVBoxLayout(this)),
+      more_(withName(new QWidget(this), "moreMessages")),
+      waiting_(new QLabel(more_)),
+      close_all_(withName(new QToolButton(more_), "closeMessages")) {
+    fill(new QHBoxLayout(more_), {8, 0, 4, 2}, {{waiting_, 1}, close_all_});
+    fill(layout_, {}, 2, {more_});
+    connect(close_all_, &QToolButton::clicked, this, &MessageBar::closeAll);
     hide();
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -69,30 +76,55 @@ void MessageBar::add(const Message& message) {
     }
     row.close->setAutoRaise(true);
     row.close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
-    connect(row.close, &QToolButton::clicked, this, [this, frame, dismiss = message.dismiss] {
-        remove(frame);
-        if (dismiss) {
-            dismiss();
-        }
-    });
+    connect(row.close, &QToolButton::clicked, this, [this, row] { closeRow(row); });
     line->addWidget(row.close);
 
     rows_.insert(rows_.begin(), row);
     layout_->insertWidget(0, frame);
-    prune();
-    retranslate();
-    show();
+    nameRow(row);
+    showRows();
 }
 
-void MessageBar::prune() {
-    while (rows_.size() > most_messages) {
-        const auto newest = std::prev(rows_.rend());
-        const auto oldest = std::find_if(
-            rows_.rbegin(), newest, [](const Row& row) { return !row.message.until_answered; });
-        if (oldest == newest) {
-            return;
+// Of too many messages warnings wait before errors, and older before newer ones; the newest and
+// questions never do.
+void MessageBar::showRows() {
+    int waiting = 0;
+    std::vector<QWidget*> shown;
+    for (const Row& row : rows_) {
+        shown.push_back(row.widget);
+    }
+    for (const MessageLevel level : {MessageLevel::warning, MessageLevel::error}) {
+        for (const Row& row : rows_ | std::views::drop(1) | std::views::reverse) {
+            if (shown.size() > most_messages && row.message.severity == level &&
+                !row.message.until_answered) {
+                std::erase(shown, row.widget);
+                ++waiting;
+            }
         }
-        remove(oldest->widget);
+    }
+    for (const Row& row : rows_) {
+        row.widget->setVisible(std::ranges::count(shown, row.widget) > 0);
+    }
+    more_->setVisible(waiting > 0);
+    waiting_->setText(tr("%n more message(s)", nullptr, waiting));
+    setVisible(!rows_.empty());
+}
+
+void MessageBar::closeRow(const Row& row) {
+    const auto dismiss = row.message.dismiss;
+    remove(row.widget);
+    if (dismiss) {
+        dismiss();
+    }
+}
+
+// Questions wait for their answers.
+void MessageBar::closeAll() {
+    const std::vector<Row> rows = rows_;
+    for (const Row& row : rows) {
+        if (!row.message.until_answered) {
+            closeRow(row);
+        }
     }
 }
 
@@ -100,7 +132,7 @@ void MessageBar::remove(QWidget* widget) {
     std::erase_if(rows_, [widget](const Row& row) { return row.widget == widget; });
     widget->hide();
     widget->deleteLater();
-    setVisible(!rows_.empty());
+    showRows();
 }
 
 void MessageBar::clear() {
@@ -120,20 +152,27 @@ void MessageBar::withdraw(Topic topic) {
 QStringList MessageBar::texts() const {
     QStringList texts;
     for (const Row& row : rows_) {
-        texts << row.text->text();
+        if (!row.widget->isHidden()) {
+            texts << row.text->text();
+        }
     }
     return texts;
 }
 
 void MessageBar::retranslate() {
-    for (const Row& row : rows_) {
-        row.text->setText(row.message.text());
-        row.widget->setAccessibleName(row.message.text());
-        row.close->setToolTip(tr("Close this message"));
-        row.close->setAccessibleName(tr("Close this message"));
-        if (row.action) {
-            row.action->setText(row.message.button ? row.message.button() : tr("Import…"));
-        }
+    std::ranges::for_each(rows_, [this](const Row& row) { nameRow(row); });
+    close_all_->setText(tr("Close all"));
+    close_all_->setToolTip(tr("Closes all messages but questions"));
+    showRows();
+}
+
+void MessageBar::nameRow(const Row& row) {
+    row.text->setText(row.message.text());
+    row.widget->setAccessibleName(row.message.text());
+    row.close->setToolTip(tr("Close this message"));
+    row.close->setAccessibleName(tr("Close this message"));
+    if (row.action) {
+        row.action->setText(row.message.button ? row.message.button() : tr("Import…"));
     }
 }
 

@@ -13,8 +13,8 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages above the plots, but for news; none blocks. The newest is on top. Of more than three the
-// oldest go, but questions stay.
+// Messages above the plots, but for news; none blocks. The newest is on top. Of more than three
+// some wait behind a line that counts them, and come as others are closed.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void clear();
     // Removes the message of a topic.
     void withdraw(Topic topic);
-    // Displayed texts, newest first.
+    // Displayed texts, newest first, without those that wait.
     QStringList texts() const;
 
 signals:
@@ -41,12 +41,17 @@ private:
         QPushButton* action = nullptr;
     };
     void retranslate();
+    void nameRow(const Row& row);
+    void closeRow(const Row& row);
+    void closeAll();
     void remove(QWidget* widget);
-    // Removes what is too much.
-    void prune();
+    void showRows();
 
     QVBoxLayout* layout_;
     std::vector<Row> rows_;
+    QWidget* more_;
+    QLabel* waiting_;
+    QToolButton* close_all_;
 };
 
 }  // namespace vybeg::ui

@@ -125,6 +125,12 @@ TimeGestures::~TimeGestures() {
 void TimeGestures::setPlots(const TimeStack* stack, TimeOverlay& overlay) {
     stack_.reset(stack);
     overlay_ = &overlay;
+    connect(plot_, &QCustomPlot::afterLayout, this, [this] {
+        if (isVisible() && !stack_->frames().empty()) {
+            const QRect area = stack_->frames().front()->rect().translated(plot_->pos());
+            emit timeAxisPlaced(area.left(), width() - 1 - area.right());
+        }
+    });
 }
 
 HairLines TimeGestures::hairs() const {

@@ -115,6 +115,10 @@ public slots:
     void zoomIn() { zoomByKey(ZoomNavigator::notch); }
     void zoomOut() { zoomByKey(1 / ZoomNavigator::notch); }
 
+signals:
+    // Margins of the time axes of the visible view, pixels from both edges.
+    void timeAxisPlaced(int left, int right);
+
 protected:
     QCustomPlot& plot() const { return *plot_; }
     // For the overlay.

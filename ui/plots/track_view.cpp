@@ -263,10 +263,6 @@ void TrackView::followLayout() {
             frame->setGeometry(panel->outerRect());
         }
     }
-    if (!stack_.panels().empty()) {
-        const QRect area = stack_.panels().front()->rect();
-        emit timeAxisPlaced(area.left(), width() - 1 - area.right());
-    }
 }
 
 void TrackView::changeValues(SlowVariable variable, double factor, double about, double shift,

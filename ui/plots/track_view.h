@@ -86,8 +86,6 @@ signals:
     // The user moved, placed or removed a cursor.
     void cursorsChanged();
     void variablesChanged();
-    // Margins of the time axes, pixels from both edges.
-    void timeAxisPlaced(int left, int right);
 
 private:
     bool hasTime() const override { return coveredTime(content_.analyses).has_value(); }

@@ -23,6 +23,8 @@ constexpr int right_margin = 16;
 constexpr int legend_height = 22;
 constexpr std::size_t most_shapes = 2000;  // of points in a series
 constexpr int legend_inset = 8;
+constexpr double day_s = 86400;
+constexpr double around_date_s = 3 * day_s;  // on both sides of a single one
 
 // Range of all values with a margin of a twentieth at both ends; of values at a single place with
 // one of their whole deviations, as their bars would fill the plot from edge to edge.
@@ -50,7 +52,9 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
         return {low / spare, high * spare};
     }
     const double part = of_y && places.low == places.high ? 1 : 0.05;
-    const double spare = high > low ? part * (high - low) : std::max(0.05 * std::abs(high), 1e-12);
+    const double alone =
+        !of_y && content.x_is_date ? around_date_s : std::max(0.05 * std::abs(high), 1e-12);
+    const double spare = high > low ? part * (high - low) : alone;
     return {low - spare, high + spare};
 }
 
@@ -98,7 +102,6 @@ private:
 
     // ISO dates, which read the same in every language; with the time where days are too coarse.
     void showDates() {
-        constexpr double day_s = 86400;
         constexpr int label_width = 140;  // the ticker takes up to half as many more
         const AxisRange range = content_.x_range.value_or(rangeOf(content_, false));
         const QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
@@ -109,7 +112,8 @@ private:
         axis(QCPAxis::atBottom)->setTicker(dates);
     }
 
-    // At the left end above the plot, or centred below it.
+    // At the left end above the plot, or centred below it; in a narrow plot aside, as far as it
+    // needs.
     void nameSide(QCPPainter& painter, bool y) const {
         const bool centred = sideOf(content_, y) == QCPAxis::atBottom;
         const double base = centred ? rect().bottom() + foot_height - 6 : rect().top() - 7;
@@ -117,11 +121,20 @@ private:
         const QString& unit = y ? content_.y_unit : content_.x_unit;
         const bool takes_prefix = y && content_.y_takes_prefix;
         const AxisTicks& ticks = ticker(sideOf(content_, y)).ticks();
-        const QString text = symbol + ticks.offsetText();
         const QString scaled = scaledUnit(unit, takes_prefix, ticks.exponent);
         constexpr double gap = 8;
-        const double width = indexTextWidth(text, font()) + gap + indexTextWidth(scaled, font());
-        double x = rect().left() + (centred ? (rect().width() - width) / 2 : 0);
+        constexpr double edge = 4;
+        const double room = outerRect().width() - 2 * edge;
+        const double behind = gap + indexTextWidth(scaled, font());
+        const QString offset = ticks.offsetText();
+        const QFontMetricsF metrics(font());
+        const QString text = metrics.elidedText(symbol, Qt::ElideRight,
+                                                room - behind - metrics.horizontalAdvance(offset)) +
+                             offset;
+        const double width = indexTextWidth(text, font()) + behind;
+        const double wish = rect().left() + (centred ? (rect().width() - width) / 2 : 0);
+        const double most = outerRect().right() + 1 - edge - width;
+        double x = std::max(std::min(wish, most), outerRect().left() + edge);
         painter.setPen(theme().text);
         x += drawIndexText(painter, {x, base}, text, font());
         painter.setPen(theme().mutedText);

@@ -60,6 +60,7 @@ NumbersView::NumbersView(QWidget* parent)
     tabs_->setUsesScrollButtons(false);
     auto* recordings = new QWidget(this);
     fill(new QVBoxLayout(recordings), {}, 2, {waves_, findings_, runs_});
+    waves_->alignWith(*runs_);
     recordings_tab_ = addTab(recordings);
     modes_tab_ = addTab(modes_);
     sensitivities_tab_ = addTab(sensitivities_);

@@ -31,10 +31,10 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     auto* left = new QWidget(this);
     left->setFixedWidth(sets_width);
     fill(new QVBoxLayout(left), {}, 0, {set_, state_, LayoutPart(1)});
-    auto* middle = fill(new QVBoxLayout, {LayoutPart(numbers_, 1)});
+    middle_ = scrolled(fill(new QVBoxLayout, {LayoutPart(numbers_, 1)}));
     auto* figures = scrolled(fill(new QVBoxLayout, {LayoutPart(figures_, 1)}));
     figures->setMinimumWidth(least_figures_width);
-    fill(new QHBoxLayout(this), {}, 4, {left, {scrolled(middle), 5}, {figures, 2}});
+    fill(new QHBoxLayout(this), {}, 4, {left, {middle_, 5}, {figures, 2}});
     connect(numbers_, &NumbersView::calibrationChosen, this, &ResonatorPage::calibrate);
     connect(&document_.sets(), &SetStore::changed, this, &ResonatorPage::refresh);
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
@@ -64,6 +64,8 @@ void ResonatorPage::showTabs() {
     const bool compared = document_.sets().passport() != nullptr;
     tabs.setTabVisible(comparison_tab_, compared);
     numbers_->setVisible(compared || !numbers_->isEmpty());
+    // The hint in the place of the figures then has all the page.
+    middle_->setVisible(compared || !numbers_->isEmpty());
     // A bar whose tabs come and go may stand at one that is hidden.
     for (int tab = 0; tab < tabs.count() && !tabs.isTabVisible(tabs.currentIndex()); ++tab) {
         if (tabs.isTabVisible(tab)) {

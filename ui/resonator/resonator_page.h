@@ -4,6 +4,7 @@
 #include "ui/plots/plot_view.h"
 
 class QLabel;
+class QScrollArea;
 
 namespace vybeg::ui {
 
@@ -45,6 +46,7 @@ private:
     SetPanel* set_;
     QLabel* state_;
     NumbersView* numbers_;
+    QScrollArea* middle_;  // of the numbers
     FiguresView* figures_;
     ComparisonView* comparison_;
     int balance_tab_ = 0;

@@ -49,7 +49,6 @@ NumberField* SettingsFields::addField(const Texts& texts, const Bounds& limits, 
     label->setBuddy(field);
     // One width of labels for all groups, so that their fields are aligned.
     label->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Перекрытие")));
-    label->setWordWrap(true);
     entries_.back().label = label;
     form_->addRow(label, field);
     addFaults({field});

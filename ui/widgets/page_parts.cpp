@@ -87,6 +87,12 @@ void makeSentence(QLabel& label) {
     label.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     label.setContentsMargins(around_sentence);
     label.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    // The document of a text keeps the colour that links had.
+    whenChanged(label, {QEvent::PaletteChange}, [&label] {
+        const QString text = label.text();
+        label.clear();
+        label.setText(text);
+    });
 }
 
 void setTexts(QComboBox& box, const QStringList& texts) {

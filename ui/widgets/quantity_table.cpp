@@ -117,8 +117,10 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
     keepTranslated(*this, [copy] { copy->setText(tr("Copy table")); });
 }
 
-void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows) {
+void QuantityTable::setContent(const QStringList& headers, const std::vector<QuantityRow>& rows,
+                               const QStringList& short_headers) {
     headers_ = headers;
+    short_headers_ = short_headers;
     rows_ = rows;
     concise_ = false;
     clear();
@@ -129,8 +131,9 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     horizontalHeader()->setVisible(!headers.isEmpty());
     setHorizontalHeaderItem(0, new QTableWidgetItem);
     for (int column = 0; column < headers.size(); ++column) {
-        setHorizontalHeaderItem(column + 1, new QTableWidgetItem(headers[column]));
+        setHorizontalHeaderItem(column + 1, new QTableWidgetItem);
     }
+    showHeaders(headers);
     for (int row = 0; row < rowCount(); ++row) {
         const QuantityRow& from = rows[static_cast<std::size_t>(row)];
         auto* name = new QTableWidgetItem(from.name);
@@ -169,11 +172,18 @@ QString QuantityTable::tableText() const {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
+void QuantityTable::showHeaders(const QStringList& headers) {
+    shown_headers_ = headers;
+    for (int column = 0; column < headers.size(); ++column) {
+        horizontalHeaderItem(column + 1)->setText(headers[column]);
+    }
+}
+
 // Width of a column in which no word breaks.
 int QuantityTable::leastWidth(int column) const {
     int width = 0;
-    if (!headers_.isEmpty() && column > 0) {
-        for (const QString& word : headers_[column - 1].split(QLatin1Char(' '))) {
+    if (!shown_headers_.isEmpty() && column > 0) {
+        for (const QString& word : shown_headers_[column - 1].split(QLatin1Char(' '))) {
             width = std::max(width, fontMetrics().horizontalAdvance(word) + header_margin);
         }
     }
@@ -189,21 +199,26 @@ int QuantityTable::leastWidth(int column) const {
 // As high as its texts in their columns.
 int QuantityTable::headerHeight(const std::vector<int>& widths) const {
     int texts = 0;
-    for (int column = 0; column < headers_.size(); ++column) {
+    for (int column = 0; column < shown_headers_.size(); ++column) {
         const int width = widths[static_cast<std::size_t>(column) + 1];
         const QRect room(0, 0, width - header_margin / 2, QWIDGETSIZE_MAX);
         texts = std::max(
-            texts, fontMetrics().boundingRect(room, Qt::TextWordWrap, headers_[column]).height());
+            texts,
+            fontMetrics().boundingRect(room, Qt::TextWordWrap, shown_headers_[column]).height());
     }
     return texts > 0 ? texts + horizontalHeader()->sizeHint().height() - fontMetrics().height() : 0;
 }
 
 // Takes what is too much from the columns from the `first` on, each by its share of the room that
 // its words leave.
-void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t first) const {
+void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t first) {
     std::vector<int> slack(first);
     for (std::size_t k = first; k < widths.size(); ++k) {
-        slack.push_back(std::max(0, widths[k] - leastWidth(static_cast<int>(k))));
+        int least = 0;
+        for (const QuantityTable* table : aligned()) {
+            least = std::max(least, table->leastWidth(static_cast<int>(k)));
+        }
+        slack.push_back(std::max(0, widths[k] - least));
     }
     const int all = std::accumulate(slack.begin(), slack.end(), 0);
     for (std::size_t k = 0; k < widths.size() && all > 0; ++k) {
@@ -234,50 +249,85 @@ void QuantityTable::setConcise(bool concise) {
     concise_ = concise;
 }
 
+// Itself, and the one whose columns stand in line with its own.
+std::vector<QuantityTable*> QuantityTable::aligned() {
+    const bool both =
+        beside_ && !beside_->isHidden() && !isHidden() && beside_->columnCount() == columnCount();
+    return both ? std::vector<QuantityTable*>{this, beside_} : std::vector<QuantityTable*>{this};
+}
+
+// Widths of the columns with each text on one line, or with sentences in several.
+std::vector<int> QuantityTable::wishes(bool wrapped) const {
+    const int characters = fontMetrics().averageCharWidth();
+    std::vector<int> widths(static_cast<std::size_t>(columnCount()), 0);
+    for (int column = 0; column < columnCount(); ++column) {
+        int& width = widths[static_cast<std::size_t>(column)];
+        if (!shown_headers_.isEmpty() && column > 0) {
+            width = fontMetrics().horizontalAdvance(shown_headers_[column - 1]) + header_margin;
+        }
+        for (int row = 0; row < rowCount(); ++row) {
+            const QString text = item(row, column)->text();
+            const int wish = WrappingDelegate::widthFor(text, font());
+            const std::size_t k = static_cast<std::size_t>(column) - 1;
+            const bool number =
+                column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();
+            const bool sentence = wrapped && !number && text.size() > 36;
+            width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
+        }
+    }
+    return widths;
+}
+
 // Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
 // the second of two columns takes the rest, several columns take their own width. Where the table
-// is wider than its room, sentences are wrapped, and where that is not enough, numbers are concise.
+// is wider than its room, headers are short; where that is not enough, sentences are wrapped, and
+// then numbers are concise.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
+    const std::vector<QuantityTable*> tables = aligned();
     std::vector<int> widths;
     // Whether the table has room, its sentences on one line or in several.
     const auto fits = [&](bool wrapped) {
         widths.assign(static_cast<std::size_t>(columnCount()), 0);
-        for (int column = 0; column < columnCount(); ++column) {
-            int& width = widths[static_cast<std::size_t>(column)];
-            if (!headers_.isEmpty() && column > 0) {
-                width = fontMetrics().horizontalAdvance(headers_[column - 1]) + header_margin;
-            }
-            for (int row = 0; row < rowCount(); ++row) {
-                const QString text = item(row, column)->text();
-                const int wish = WrappingDelegate::widthFor(text, font());
-                const std::size_t k = static_cast<std::size_t>(column) - 1;
-                const bool number =
-                    column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();
-                const bool sentence = wrapped && !number && text.size() > 36;
-                width = std::max(width, sentence ? std::min(wish, 26 * characters) : wish);
-            }
+        int least_name = 0;
+        for (const QuantityTable* table : tables) {
+            std::ranges::transform(widths, table->wishes(wrapped), widths.begin(),
+                                   [](int a, int b) { return std::max(a, b); });
+            least_name = std::max(least_name, table->leastWidth(0));
         }
         if (!widths.empty()) {
-            widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
+            widths[0] = std::min(widths[0], std::max(room * 2 / 5, least_name));
         }
         return std::accumulate(widths.begin(), widths.end(), 0) <= room;
     };
-    setConcise(false);
-    if (!fits(false) && !fits(true)) {
-        setConcise(true);
-        fits(true);
+    const auto set = [&tables](bool brief, bool concise) {
+        for (QuantityTable* table : tables) {
+            const bool shorter = brief && !table->short_headers_.isEmpty();
+            table->showHeaders(shorter ? table->short_headers_ : table->headers_);
+            table->setConcise(concise);
+        }
+    };
+    set(false, false);
+    if (!fits(false)) {
+        set(true, false);
+        if (!fits(false) && !fits(true)) {
+            set(true, true);
+            fits(true);
+        }
     }
     if (widths.size() == 2) {
         widths[1] = std::max(room - widths[0], 14 * characters);
     }
     if (const int excess = std::accumulate(widths.begin(), widths.end(), -room); excess > 0) {
         // Names that keep their width may spare more lines than the cells beside them then need.
-        const auto height = [this](const std::vector<int>& of) {
-            int sum = headerHeight(of);
-            for (int row = 0; row < rowCount(); ++row) {
-                sum += heightOf(row, of);
+        const auto height = [&tables](const std::vector<int>& of) {
+            int sum = 0;
+            for (const QuantityTable* table : tables) {
+                sum += table->headerHeight(of);
+                for (int row = 0; row < table->rowCount(); ++row) {
+                    sum += table->heightOf(row, of);
+                }
             }
             return sum;
         };
@@ -289,6 +339,12 @@ void QuantityTable::layOut() {
             widths = named;
         }
     }
+    for (QuantityTable* table : tables) {
+        table->place(widths, room);
+    }
+}
+
+void QuantityTable::place(const std::vector<int>& widths, int room) {
     int total = 0;
     for (int column = 0; column < columnCount(); ++column) {
         setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
@@ -304,6 +360,11 @@ void QuantityTable::layOut() {
         height += horizontalScrollBar()->sizeHint().height();
     }
     setFixedHeight(height + 2 * frameWidth());
+}
+
+void QuantityTable::alignWith(QuantityTable& other) {
+    beside_ = &other;
+    other.beside_ = this;
 }
 
 void QuantityTable::resizeEvent(QResizeEvent* event) {

@@ -58,8 +58,12 @@ class QuantityTable : public QTableWidget {
 public:
     explicit QuantityTable(QWidget* parent = nullptr);
 
-    // One header for each cell of a row; {} : no header line.
-    void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows);
+    // One header for each cell of a row; {} : no header line. `short_headers` stand where the
+    // others have no room.
+    void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows,
+                    const QStringList& short_headers = {});
+    // From now on the columns of both stand in line, while both are shown with as many columns.
+    void alignWith(QuantityTable& other);
     // A line of headers, then the rows; in the decimal sign of the interface's language.
     QString tableText() const;
 
@@ -69,14 +73,21 @@ protected:
 private:
     void layOut();
     void layOutAround();
+    std::vector<QuantityTable*> aligned();
+    std::vector<int> wishes(bool wrapped) const;
+    void place(const std::vector<int>& widths, int room);
+    void showHeaders(const QStringList& headers);
     int leastWidth(int column) const;
     int headerHeight(const std::vector<int>& widths) const;
-    void narrow(std::vector<int>& widths, int excess, std::size_t first) const;
+    void narrow(std::vector<int>& widths, int excess, std::size_t first);
     int heightOf(int row, const std::vector<int>& widths) const;
     void setConcise(bool concise);
 
     QStringList headers_;
+    QStringList short_headers_;
+    QStringList shown_headers_;
     std::vector<QuantityRow> rows_;
+    QuantityTable* beside_ = nullptr;
     bool concise_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSysInfo>
 #include <QThread>
 #include <QToolBar>
@@ -50,6 +51,12 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setEnabled(false);
     forward_->setEnabled(false);
     setLanguage(language);
+    // The page keeps the colour that links had.
+    whenChanged(*browser_, {QEvent::PaletteChange}, [this] {
+        const int place = browser_->verticalScrollBar()->value();
+        browser_->reload();
+        browser_->verticalScrollBar()->setValue(place);
+    });
     keepTranslated(*this, [this] { retranslate(); });
 }
 

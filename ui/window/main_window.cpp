@@ -143,6 +143,7 @@ void MainWindow::buildPages() {
     std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
     overview_ = new Overview(document_, *tracks_, this);
+    overview_->standOver(signals_->view());
     wave_ = new WavePanel(document_, this);
     ledger_ = new Ledger(document_, this);
     messages_ = new MessageBar(this);

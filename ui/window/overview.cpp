@@ -48,11 +48,15 @@ Overview::Overview(Document& document, TrackView& tracks, QWidget* parent)
         document_.setVisibleRange(document_.analyses().empty() ? TimeRange()
                                                                : TimeRange{from_s, to_s});
     });
-    connect(&tracks_, &TrackView::timeAxisPlaced, this, [this](int left, int right) {
-        signal_->setMargins(left, right + signal_->width() - tracks_.width());
+    standOver(tracks_);
+    showRecording();
+}
+
+void Overview::standOver(const TimeGestures& view) {
+    connect(&view, &TimeGestures::timeAxisPlaced, this, [this, &view](int left, int right) {
+        signal_->setMargins(left, right + signal_->width() - view.width());
         flag_->setFixedWidth(std::max(40, left - 8));
     });
-    showRecording();
 }
 
 void Overview::showRecording() {

@@ -11,6 +11,7 @@ namespace vybeg::ui {
 class Document;
 class FindingsFlag;
 class SignalView;
+class TimeGestures;
 class TrackView;
 
 // The overview of the current recording over the plots of a page, with the flag of its findings in
@@ -22,6 +23,8 @@ public:
     Overview(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     FindingsFlag& flag() const { return *flag_; }
+    // Stands over the time axis of a view while that is shown, as of the tracks.
+    void standOver(const TimeGestures& view);
     // Analyses from now on what the plots show.
     void analyseVisibleRange();
     void setTheme(const Theme& theme);

@@ -30,9 +30,8 @@ WelcomePage::WelcomePage(QWidget* parent)
       recent_(withName(new QListWidget(this), "recent")) {
     text_->setAlignment(Qt::AlignCenter);
     text_->setWordWrap(true);
+    makeSentence(*opened_);
     opened_->setAlignment(Qt::AlignCenter);
-    opened_->setWordWrap(true);
-    opened_->setTextFormat(Qt::RichText);
     opened_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     recent_->setMaximumWidth(640);
     recent_->setAlternatingRowColors(true);

@@ -208,6 +208,56 @@ private slots:
         QCOMPARE(page().figures().plots.size(), 4);
     }
 
+    // The theme changes while the page is open.
+    void links_are_readable_in_each_theme() {
+        open(database("links.db", 40, 1, 30));
+        chooseGyro(1);
+        auto& verdict = the<QLabel>("historyVerdict");
+        QVERIFY(verdict.text().contains("<a href"));
+        const auto contrasts = [&verdict] {
+            const QImage image = verdict.grab().toImage();
+            const QColor link = QApplication::palette().color(QPalette::Link);
+            const QColor window = QApplication::palette().color(QPalette::Window);
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    count += image.pixelColor(x, y) == link ? 1 : 0;
+                }
+            }
+            return count > 20 && contrast(link, window) >= 4.5;
+        };
+        for (const ThemeMode theme : {ThemeMode::dark, ThemeMode::light, ThemeMode::dark}) {
+            window_->setThemeMode(theme);
+            QTRY_VERIFY(contrasts());
+        }
+        window_->setThemeMode(ThemeMode::light);
+    }
+
+    // The distribution beside the values is seen from its first bin to its last one.
+    void the_distribution_is_not_cut() {
+        open(database("whole.db", 12));
+        const auto& charts = page().charts();
+        const Histogram& found = charts.histogram;
+        VYBEG_MORE(found.counts.front(), 0);
+        const auto& distribution = childOf<QCustomPlot>(the<XYPlotView>("historyDistribution"));
+        const auto& values = childOf<QCustomPlot>(the<XYPlotView>("historyValues"));
+        const QCPRange shown = distribution.axisRect()->axis(QCPAxis::atLeft)->range();
+        QCOMPARE(shown, values.axisRect()->axis(QCPAxis::atLeft)->range());
+        const double reach = std::max(3.0, -found.low) * charts.moments.sd;
+        VYBEG_LESS(shown.lower, 1000 * (charts.moments.mean - reach));  // mHz
+        VYBEG_MORE(shown.upper, 1000 * (charts.moments.mean + reach));
+    }
+
+    void a_single_date_is_shown_among_its_days() {
+        open(database("single.db", 1));
+        const auto& values = the<XYPlotView>("historyValues");
+        QVERIFY(values.content().x_is_date);
+        const auto& plot = childOf<QCustomPlot>(values);
+        const QCPRange shown = plot.axisRect()->axis(QCPAxis::atBottom)->range();
+        VYBEG_AT_MOST(shown.size(), 14 * 86400.0);
+        VYBEG_CLOSE(shown.center(), values.content().series.front().x.front(), 1);
+    }
+
     // Too few results, and a trend, are said on the page and in the legend of its figures.
     void a_baseline_that_sets_no_good_limits_is_named() {
         open(database("few.db", 8));

@@ -10,6 +10,7 @@
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/resonator/set_panel.h"
 #include "ui/settings/settings_groups.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/quantity_table.h"
@@ -104,6 +105,39 @@ private slots:
         }
         VYBEG_AT_LEAST(widest, 300);
         VYBEG_AT_MOST(height(widest - 30), wide + line);
+    }
+
+    void headers_are_short_only_where_they_have_no_room() {
+        QuantityTable table;
+        const QuantityCell number{"5300.00017(7)", {}, {}, {}};
+        const QStringList names{"HRG-17 after the second turn, first log",
+                                "HRG-17 after the second turn, second log"};
+        table.setContent(names, {{"Turn", {}, {number, number}}}, {"…first log", "…second log"});
+        table.show();
+        const auto heads = [&table](int width) {
+            table.resize(width, 100);
+            QCoreApplication::processEvents();
+            return QStringList{table.horizontalHeaderItem(1)->text(),
+                               table.horizontalHeaderItem(2)->text()};
+        };
+        QCOMPARE(heads(900), names);
+        QCOMPARE(heads(400), (QStringList{"…first log", "…second log"}));
+        QCOMPARE(heads(900), names);
+    }
+
+    // Before an identification the hint has the middle of what is free.
+    void an_empty_page_has_its_hint_in_the_middle() {
+        openSet();
+        window_->action(Command::page_resonator)->trigger();
+        auto& page = the<ResonatorPage>();
+        auto& panel = the<SetPanel>();
+        const auto& hint = the<QLabel>("hint");
+        QTRY_VERIFY(hint.isVisible());
+        const int free = page.width() - panel.mapTo(&page, panel.rect().topRight()).x();
+        const auto aside = [&] {
+            return page.width() - hint.mapTo(&page, hint.rect().center()).x() - free / 2;
+        };
+        QTRY_VERIFY(std::abs(aside()) < 20);
     }
 
     void init() { window_ = shownWindow(); }
@@ -213,6 +247,13 @@ private slots:
         QCOMPARE(tabs.currentIndex(), 0);
         QCOMPARE(waves.rowCount(), 4);
         QCOMPARE(waves.columnCount(), 5);
+        // Each recording has one column in both of its tables.
+        auto& runs = the<QuantityTable>("runs");
+        QVERIFY(waves.isVisible() && runs.isVisible());
+        QCOMPARE(runs.columnCount(), 5);
+        for (int column = 0; column < 5; ++column) {
+            QCOMPARE(waves.columnWidth(column), runs.columnWidth(column));
+        }
         const Estimate& f = found.runs[2].wave.f_hz;
         // Four recordings leave no room for ±: the whole number is the tooltip.
         QCOMPARE(cell("waves", "Frequency of the wave", 3), conciseText(f.value, f.sd));

@@ -3,6 +3,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/ledger.h"
+#include "ui/plots/signal_view.h"
 #include "ui/plots/track_view.h"
 #include "ui/signals/signals_page.h"
 
@@ -203,6 +204,23 @@ private slots:
     }
 
     // Samples stay while those beside them are read.
+    // The window came to its size while the tracks were hidden.
+    void the_overview_stands_over_the_signals() {
+        open(home_.recording("over.wav"));
+        goToSignals();
+        for (const QSize size : {QSize(1100, 760), QSize(1640, 1000)}) {
+            window_->resize(size);
+            const auto span = [this](const QWidget& widget, const QRect& area) {
+                return std::pair(widget.mapTo(window_.get(), area.topLeft()).x(),
+                                 widget.mapTo(window_.get(), area.bottomRight()).x());
+            };
+            const auto& overview = childOf<SignalView>(*window_);
+            const auto& plot = childOf<QCustomPlot>(view());
+            QTRY_COMPARE(span(overview, overview.plotArea()),
+                         span(plot, plot.axisRects().front()->rect()));
+        }
+    }
+
     void panning_reads_what_comes_next() {
         open(home_.recording("demo.wav"));
         goToSignals();

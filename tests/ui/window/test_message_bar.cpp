@@ -4,6 +4,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/window/status_line.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QtTest>
@@ -22,8 +23,19 @@ class TestMessageBar : public QObject {
         return {severity, [text] { return QString(text); }, {}, {}};
     }
 
+    // That of the newest message.
+    static void closeNewest(const MessageBar& bar) {
+        const QString text = bar.texts().first();
+        for (auto* close : bar.findChildren<QToolButton*>()) {
+            if (close->parentWidget()->accessibleName() == text) {
+                close->click();
+                return;
+            }
+        }
+    }
+
 private slots:
-    void the_oldest_go_and_questions_stay() {
+    void the_oldest_wait_and_questions_stay() {
         MessageBar bar;
         int pressed = 0;
         Message question = told(MessageLevel::warning, "recover?");
@@ -37,7 +49,47 @@ private slots:
         QCOMPARE(bar.texts(), (QStringList{"fourth", "third", "recover?"}));
         childOf<QPushButton>(bar).click();
         QCOMPARE(pressed, 1);
-        QCOMPARE(bar.texts(), (QStringList{"fourth", "third"}));
+        QCOMPARE(bar.texts(), (QStringList{"fourth", "third", "second"}));
+    }
+
+    // Seven files fail: what is behind the three is counted, and comes as others are closed.
+    void failures_wait_and_come_as_others_are_closed() {
+        MessageBar bar;
+        bar.show();
+        const auto& more = childOf<QWidget>(bar, "moreMessages");
+        for (const char* text : {"1", "2", "3", "4", "5", "6", "7"}) {
+            bar.add(told(MessageLevel::error, text));
+        }
+        QCOMPARE(bar.texts(), (QStringList{"7", "6", "5"}));
+        QVERIFY(more.isVisible());
+        QCOMPARE(childOf<QLabel>(more).text(), QString("4 more messages"));
+        // Warnings of later files hide no error but by the newest of them.
+        bar.add(told(MessageLevel::warning, "odd"));
+        bar.add(told(MessageLevel::warning, "odder"));
+        QCOMPARE(bar.texts(), (QStringList{"odder", "7", "6"}));
+        QStringList seen;
+        while (!bar.texts().isEmpty()) {
+            QVERIFY(bar.isVisible());
+            seen << bar.texts().first();
+            closeNewest(bar);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        }
+        QCOMPARE(seen.size(), 9);
+        QVERIFY(!bar.isVisible() && !more.isVisible());
+    }
+
+    void all_are_closed_at_once_but_questions() {
+        MessageBar bar;
+        bar.show();
+        Message question = told(MessageLevel::warning, "recover?");
+        question.until_answered = true;
+        bar.add(question);
+        for (const char* text : {"1", "2", "3", "4"}) {
+            bar.add(told(MessageLevel::error, text));
+        }
+        QCOMPARE(bar.texts(), (QStringList{"4", "3", "recover?"}));
+        childOf<QToolButton>(bar, "closeMessages").click();
+        QCOMPARE(bar.texts(), QStringList{"recover?"});
     }
 
     void a_message_that_is_closed_is_dismissed_and_not_pressed() {
@@ -49,7 +101,7 @@ private slots:
         question.press = [&pressed] { ++pressed; };
         question.dismiss = [&dismissed] { ++dismissed; };
         bar.add(question);
-        childOf<QToolButton>(bar).click();
+        closeNewest(bar);
         QCOMPARE(dismissed, 1);
         bar.add(question);
         childOf<QPushButton>(bar).click();

@@ -201,6 +201,29 @@ private slots:
         VYBEG_AT_MOST(panel.width(), 300);  // the plots own the window
     }
 
+    void no_label_of_a_field_is_cut() {
+        openOne();
+        auto& panel = childOf<SettingsPanel>(*window_);
+        for (Section* section : panel.findChildren<Section*>()) {
+            section->setOpen(true);
+        }
+        for (const char* language : {"en", "ru", "en"}) {
+            window_->setLanguage(QLatin1String(language));
+            for (const auto* each : panel.findChildren<NumberField*>()) {
+                for (const auto* label : each->parentWidget()->findChildren<QLabel*>()) {
+                    if (label->buddy() == each) {
+                        const auto fits = [label] {
+                            return label->width() >= label->sizeHint().width() &&
+                                   label->height() >= label->heightForWidth(label->width());
+                        };
+                        QVERIFY2(QTest::qWaitFor(fits, 2000), qPrintable(label->text()));
+                        VYBEG_AT_MOST(label->height(), each->height());
+                    }
+                }
+            }
+        }
+    }
+
     // Without being opened.
     void a_folded_section_says_what_is_chosen_in_it() {
         openOne();
