@@ -60,4 +60,8 @@ inline constexpr std::array<ChannelError, 6> channel_errors{{
     {gain_drift_error, gain_drift_at, &ChannelTolerance::gain_drift},
 }};
 
+// Those that C has as D has: the fit sees the difference of both channels, and takes what both do
+// for frequency and decay.
+inline constexpr std::array drift_errors{phase_drift_error, gain_drift_error};
+
 }  // namespace vybeg

@@ -21,7 +21,6 @@ using std::numbers::pi;
 constexpr double difference_share = 0.03;
 
 constexpr auto errors = static_cast<Index>(channel_errors.size());
-constexpr std::array drift_errors{phase_drift_error, gain_drift_error};
 
 // Share of a variance that a profile must add for the direction to count as undetermined.
 constexpr double unseen_share = 0.25;
@@ -58,8 +57,7 @@ Eigen::VectorXd wrong_by(const FittedSet& set, int error) {
     return p.covariance * cross;
 }
 
-// Drifts of C, phase and gain, in the order of the tolerances below: the model has those of D
-// against C, and takes what both channels do for frequency and decay.
+// Drifts of C, in the order of drift_errors.
 Effect drifts_of_c(const FittedSet& set) {
     return effect_by_window(
         *set.problem, std::ssize(drift_errors),

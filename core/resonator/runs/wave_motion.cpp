@@ -424,7 +424,9 @@ constexpr std::array numbers{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
                              &WaveMotion::quadrature_rate_per_s, &WaveMotion::decay_per_s};
 
 // The run with one more error of its D, by the channels of phasor_model.h.
-PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, double size) {
+// `of_c`: C drifts in place of D.
+PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, double size,
+                     bool of_c) {
     ChannelTolerance one{.kappa = 0};
     one.*error = size;
     PhasorRun with = run;
@@ -435,7 +437,8 @@ PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, doub
         Complex c = run.c[k];
         Complex& d = with.d[k];
         turn_channels(-run.two_theta_zero, c, d);
-        d = gain * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
+        d = (of_c ? Complex(1) : gain) * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
+        c *= of_c ? gain : Complex(1);
         turn_channels(run.two_theta_zero, c, d);
         with.c[k] = c;
     }
@@ -457,10 +460,17 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
         if (size == 0 || job.cancelled()) {
             continue;
         }
-        const WaveMotion moved = motion_with(with_error(run, error.tolerance, size), false, job);
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
-            variance[k] += std::isfinite(change) ? change * change : 0;
+        const bool drifts = std::ranges::find(drift_errors, error.source) != drift_errors.end();
+        for (const bool of_c : {false, true}) {
+            if (of_c && !drifts) {
+                continue;
+            }
+            const WaveMotion moved =
+                motion_with(with_error(run, error.tolerance, size, of_c), false, job);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
+                variance[k] += std::isfinite(change) ? change * change : 0;
+            }
         }
     }
     for (std::size_t k = 0; k < numbers.size(); ++k) {

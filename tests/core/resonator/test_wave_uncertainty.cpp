@@ -45,6 +45,22 @@ class TestWaveUncertainty : public QObject {
     Q_OBJECT
 
 private slots:
+    // Which channel is called D decides nothing: a wave in C had no u of a drift.
+    void drifts_of_either_channel_count() {
+        const ChannelTolerance told{.kappa = 0, .phase_drift = 1e-3, .gain_drift = 1e-3};
+        for (const double two_theta : {0.0, 0.4, 1.3, 2.6}) {
+            const PhasorRun run = simulated_phasors(moving_wave(two_theta, 0.1), window, 3);
+            PhasorRun exchanged = run;
+            std::swap(exchanged.c, exchanged.d);
+            const WaveMotion one = wave_motion(run, told, {});
+            const WaveMotion other = wave_motion(exchanged, told, {});
+            for (const auto member : members) {
+                VYBEG_CLOSE((other.*member).u, (one.*member).u, 0.05 * (one.*member).u);
+            }
+            VYBEG_MORE(one.decay_per_s.u, 0.5 * 1e-3 / 14);
+        }
+    }
+
     void the_truth_lies_within_u_data() {
         QTest::addColumn<int>("error");
         for (int error = 0; error < 7; ++error) {
