@@ -62,7 +62,7 @@ private slots:
         }
         QCOMPARE(bar.texts(), (QStringList{"7", "6", "5"}));
         QVERIFY(more.isVisible());
-        QCOMPARE(childOf<QLabel>(more).text(), QString("4 more messages"));
+        QVERIFY(childOf<QLabel>(more).text().startsWith("4 more"));
         // Warnings of later files hide no error but by the newest of them.
         bar.add(told(MessageLevel::warning, "odd"));
         bar.add(told(MessageLevel::warning, "odder"));
