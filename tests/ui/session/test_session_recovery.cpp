@@ -18,6 +18,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <algorithm>
 #include <random>
 #include <sys/stat.h>
 
@@ -241,7 +242,10 @@ private slots:
         QCOMPARE(bar.texts().size(), 1);
         QVERIFY2(bar.texts().first().contains("HRG-17, 2 recordings, 20"),
                  qPrintable(bar.texts().first()));
-        QTest::mouseClick(bar.findChild<QToolButton*>(), Qt::LeftButton);
+        const auto buttons = bar.findChildren<QToolButton*>();
+        const auto close = std::ranges::find_if(buttons, &QToolButton::isVisible);
+        QVERIFY(close != buttons.end());
+        QTest::mouseClick(*close, Qt::LeftButton);
         QCOMPARE(bar.texts().size(), 1);
         QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),
                  qPrintable(bar.texts().first()));
