@@ -1960,8 +1960,8 @@
         <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import}.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите его в окне «Импорт»}.</translation>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import (%4)}.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4)}.</translation>
     </message>
     <message>
         <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or {give --raw f32 --raw-channels 1 --rate HZ|read it as raw samples under Import}.</source>

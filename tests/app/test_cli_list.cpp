@@ -118,7 +118,7 @@ private slots:
         row("a wrong option", good, "--list list.csv --set A --channels 1,1", 2,
             "--channels cannot be \"1,1\"");
         row("no list", good, "--list none.csv --set A", 3, "none.csv: there is no such file");
-        row("another file", good, "--list a.wav --set A", 3, "the list needs this column");
+        row("another file", good, "--list a.wav --set A", 3, "the file holds no text");
         row("a wrong value", "file,from\na.wav,1\nb.wav,x\n", "--list list.csv --set A", 3,
             "list.csv, line 3, column \"from\": \"x\" is not possible");
         row("no recording", "file\nnone.wav\n", "--list list.csv", 3, "none.wav: there is no such");

@@ -73,6 +73,21 @@ Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms
         });
 }
 
+// Two changes of the phasors of the recorded channels, wherever the angles count from.
+template <class Changes>
+Effect electrode_effect(const FitProblem& problem, const Posterior& at, const Changes& changes) {
+    return effect_by_window(
+        problem, 2, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
+            Vector2cd z = expected_phasor(run, at.runs[k], window);
+            turn_channels(-run.two_theta_zero, z[0], z[1]);
+            Pair both = changes(run, window, z);
+            for (Index column = 0; Vector2cd & change : both) {
+                turn_channels(run.two_theta_zero, change[0], change[1]);
+                put_effect(by, run, window, column++, change);
+            }
+        });
+}
+
 // Derivatives of the phasors, weighted, by the parameters along an effect's columns.
 MatrixXd along_parameters(const FitProblem& problem, const Posterior& at, const Effect& effect) {
     MatrixXd along = MatrixXd::Zero(at.information.rows(), effect.front().cols());
@@ -113,12 +128,18 @@ Effect damping_effect(const FitProblem& problem, const Posterior& at, int expone
 }
 
 Effect pickoff_effect(const FitProblem& problem, const Posterior& at) {
-    return effect_by_window(
-        problem, 2, [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
-            const Vector2cd z = expected_phasor(run, at.runs[k], window);
-            put_effect(by, run, window, 0, {std::norm(z[0]) / run.power_kept * z[0], 0});
-            put_effect(by, run, window, 1, {0, std::norm(z[1]) / run.power_kept * z[1]});
-        });
+    return electrode_effect(problem, at, [](const ScaledRun& run, std::size_t, const Vector2cd& z) {
+        return Pair{Vector2cd(std::norm(z[0]) / run.power_kept * z[0], 0),
+                    Vector2cd(0, std::norm(z[1]) / run.power_kept * z[1])};
+    });
+}
+
+Effect drift_effect(const FitProblem& problem, const Posterior& at) {
+    return electrode_effect(problem, at,
+                            [](const ScaledRun& run, std::size_t window, const Vector2cd& z) {
+                                const Complex drifted = run.time_s[window] / run.duration_s * z[0];
+                                return Pair{Vector2cd(i * drifted, 0), Vector2cd(drifted, 0)};
+                            });
 }
 
 Effect springs_effect(const FitProblem& problem, const Posterior& at) {

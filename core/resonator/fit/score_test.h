@@ -39,6 +39,9 @@ Effect damping_effect(const FitProblem& problem, const Posterior& posterior, int
 // Pick-offs whose gain follows the amplitude: of C by the power of C, of D by that of D.
 Effect pickoff_effect(const FitProblem& problem, const Posterior& posterior);
 
+// Phase and gain of C that drift, by their change over a run, as those of D among the parameters.
+Effect drift_effect(const FitProblem& problem, const Posterior& posterior);
+
 // Cubic springs unlike along the axes, of the potential c^4 - d^4 and of the same turned by 22.5
 // degrees of theta: by Hz per |z|^2 between the axes.
 Effect springs_effect(const FitProblem& problem, const Posterior& posterior);

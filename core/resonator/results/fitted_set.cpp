@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -55,19 +54,6 @@ Eigen::VectorXd wrong_by(const FittedSet& set, int error) {
     }
     const Eigen::VectorXd cross = p.information.col(error)(p.active);
     return p.covariance * cross;
-}
-
-// Drifts of C, in the order of drift_errors.
-Effect drifts_of_c(const FittedSet& set) {
-    return effect_by_window(
-        *set.problem, std::ssize(drift_errors),
-        [&](std::size_t k, const ScaledRun& run, std::size_t window, Eigen::MatrixXd& by) {
-            const std::complex<double> drifted =
-                run.time_s[window] / run.duration_s *
-                expected_phasor(run, set.posterior.runs[k], window)[0];
-            put_effect(by, run, window, 0, {std::complex<double>(0, 1) * drifted, 0});
-            put_effect(by, run, window, 1, {drifted, 0});
-        });
 }
 
 // Position of a parameter among the quantities, and the factor from one to the other.
@@ -199,7 +185,8 @@ Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance
     const Eigen::Vector2d drifts(tolerance.phase_drift, tolerance.gain_drift);
     if (!drifts.isZero(0)) {
         moved.rightCols<2>() =
-            followed(*set.problem, set.posterior, drifts_of_c(set)) * drifts.asDiagonal();
+            followed(*set.problem, set.posterior, drift_effect(*set.problem, set.posterior)) *
+            drifts.asDiagonal();
     }
     return moved;
 }
