@@ -8,13 +8,13 @@
 #include <QCategoryAxis>
 #include <QChart>
 #include <QChartView>
-#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLabel>
 #include <QLayout>
 #include <QLegend>
 #include <QLineSeries>
+#include <QMargins>
 #include <QPolarChart>
 #include <QScatterSeries>
 #include <QTextDocument>
@@ -106,18 +106,6 @@ QRectF squareIn(QSizeF size) {
     return {x, edge, side, side};
 }
 
-// The circle of a polar plot in a chart of a size. Qt leaves room for angles that stand between
-// the lines, not at them, and cuts those at the sides.
-QRectF circleIn(QSizeF size) {
-    constexpr double beside = 8;  // a tick and the margin of a text
-    const QFontMetricsF metrics(chartFont());
-    const double across = metrics.horizontalAdvance(QStringLiteral("270°")) + beside;
-    const double above = metrics.height() + beside;
-    const double side =
-        std::max(20., std::min(size.width() - 2 * across, size.height() - 2 * above));
-    return {(size.width() - side) / 2, (size.height() - side) / 2, side, side};
-}
-
 bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& theme) {
     const auto shown = chart.series();
     if (static_cast<std::size_t>(shown.size()) != content.series.size()) {
@@ -140,7 +128,9 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
 QChart* makeRoundChart(bool polar) {
     QChart* chart = polar ? new QPolarChart : new QChart;
     chart->legend()->hide();
-    chart->setMargins({});
+    // Qt leaves room for angles that stand between the lines, not at them, and cuts those at the
+    // sides.
+    chart->setMargins(polar ? QMargins(26, 8, 26, 8) : QMargins());
     chart->setBackgroundRoundness(0);
     for (const Qt::Alignment side : {Qt::AlignBottom, Qt::AlignLeft}) {
         auto* axis = new QCategoryAxis;
@@ -197,7 +187,9 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
         qobject_cast<QXYSeries*>(shown[k])->replace(
             pointsOf(content.series[static_cast<std::size_t>(k)]));
     }
-    chart.setPlotArea(content.polar ? circleIn(chart.size()) : squareIn(chart.size()));
+    if (!content.polar) {
+        chart.setPlotArea(squareIn(chart.size()));
+    }
     chart.setTitle(content.series.empty() ? content.empty : QString());
     chart.setTitleBrush(theme.mutedText);
     chart.setTitleFont(chartFont());
