@@ -8,7 +8,6 @@
 #include <QCategoryAxis>
 #include <QChart>
 #include <QChartView>
-#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QLabel>
@@ -22,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vybeg::ui {
 
@@ -106,16 +106,13 @@ QRectF squareIn(QSizeF size) {
     return {x, edge, side, side};
 }
 
-// The circle of a polar plot in a chart of a size. Qt leaves room for angles that stand between
-// the lines, not at them, and cuts those at the sides.
-QRectF circleIn(QSizeF size) {
-    constexpr double beside = 8;  // a tick and the margin of a text
-    const QFontMetricsF metrics(chartFont());
-    const double across = metrics.horizontalAdvance(QStringLiteral("270°")) + beside;
-    const double above = metrics.height() + beside;
-    const double side =
-        std::max(20., std::min(size.width() - 2 * across, size.height() - 2 * above));
-    return {(size.width() - side) / 2, (size.height() - side) / 2, side, side};
+// Around a polar plot: Qt reckons with angles halfway between the lines, where they need less room
+// than those at the sides, above and below.
+QMargins marginsIn(QSizeF size) {
+    const double halfway = std::sin(67.5 * std::numbers::pi / 180);
+    const int margin =
+        static_cast<int>(std::ceil((1 - halfway) * std::min(size.width(), size.height()) / 2));
+    return {margin, margin, margin, margin};
 }
 
 bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& theme) {
@@ -197,7 +194,11 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
         qobject_cast<QXYSeries*>(shown[k])->replace(
             pointsOf(content.series[static_cast<std::size_t>(k)]));
     }
-    chart.setPlotArea(content.polar ? circleIn(chart.size()) : squareIn(chart.size()));
+    if (content.polar) {
+        chart.setMargins(marginsIn(chart.size()));
+    } else {
+        chart.setPlotArea(squareIn(chart.size()));
+    }
     chart.setTitle(content.series.empty() ? content.empty : QString());
     chart.setTitleBrush(theme.mutedText);
     chart.setTitleFont(chartFont());
