@@ -205,7 +205,7 @@ bool isWithinPage(const QTextDocument& document) {
     const double width = document.pageSize().width() + 1;
     return document.idealWidth() <= width &&
            std::ranges::all_of(document.rootFrame()->childFrames(), [&](QTextFrame* frame) {
-               return layout.frameBoundingRect(frame).right() <= width;
+               return layout.frameBoundingRect(frame).width() <= width;
            });
 }
 
