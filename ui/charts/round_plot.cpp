@@ -259,6 +259,8 @@ RoundView::RoundView(bool polar, QWidget* parent)
     content_.polar = polar;
     view_->setRenderHint(QPainter::Antialiasing);
     view_->setFrameShape(QFrame::NoFrame);
+    // Later than that of this widget: its room and margins follow the size of the chart.
+    connect(view_->chart(), &QChart::geometryChanged, this, &RoundView::rebuild);
     setMinimumSize(180, 180);
     addDrawing(view_);
     layout()->addWidget(legend_);
