@@ -14,7 +14,6 @@
 #include <QLayout>
 #include <QLegend>
 #include <QLineSeries>
-#include <QMargins>
 #include <QPolarChart>
 #include <QScatterSeries>
 #include <QTextDocument>
@@ -22,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vybeg::ui {
 
@@ -106,6 +106,15 @@ QRectF squareIn(QSizeF size) {
     return {x, edge, side, side};
 }
 
+// Around a polar plot: Qt reckons with angles halfway between the lines, where they need less room
+// than those at the sides, above and below.
+QMargins marginsIn(QSizeF size) {
+    const double halfway = std::sin(67.5 * std::numbers::pi / 180);
+    const int margin =
+        static_cast<int>(std::ceil((1 - halfway) * std::min(size.width(), size.height()) / 2));
+    return {margin, margin, margin, margin};
+}
+
 bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& theme) {
     const auto shown = chart.series();
     if (static_cast<std::size_t>(shown.size()) != content.series.size()) {
@@ -128,9 +137,7 @@ bool showsAlready(const QChart& chart, const RoundPlot& content, const Theme& th
 QChart* makeRoundChart(bool polar) {
     QChart* chart = polar ? new QPolarChart : new QChart;
     chart->legend()->hide();
-    // Qt leaves room for angles that stand between the lines, not at them, and cuts those at the
-    // sides.
-    chart->setMargins(polar ? QMargins(26, 8, 26, 8) : QMargins());
+    chart->setMargins({});
     chart->setBackgroundRoundness(0);
     for (const Qt::Alignment side : {Qt::AlignBottom, Qt::AlignLeft}) {
         auto* axis = new QCategoryAxis;
@@ -187,7 +194,9 @@ void fillRoundChart(QChart& chart, const RoundPlot& content, const Theme& theme)
         qobject_cast<QXYSeries*>(shown[k])->replace(
             pointsOf(content.series[static_cast<std::size_t>(k)]));
     }
-    if (!content.polar) {
+    if (content.polar) {
+        chart.setMargins(marginsIn(chart.size()));
+    } else {
         chart.setPlotArea(squareIn(chart.size()));
     }
     chart.setTitle(content.series.empty() ? content.empty : QString());
@@ -250,6 +259,8 @@ RoundView::RoundView(bool polar, QWidget* parent)
     content_.polar = polar;
     view_->setRenderHint(QPainter::Antialiasing);
     view_->setFrameShape(QFrame::NoFrame);
+    // Later than that of this widget: its room and margins follow the size of the chart.
+    connect(view_->chart(), &QChart::geometryChanged, this, &RoundView::rebuild);
     setMinimumSize(180, 180);
     addDrawing(view_);
     layout()->addWidget(legend_);

@@ -21,6 +21,7 @@
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QTextObjectInterface>
+#include <QTextOption>
 #include <QTimer>
 #include <qpdf/qpdf-c.h>
 
@@ -189,11 +190,32 @@ QString withPages(QString html, const QTextDocument& document) {
     return html;
 }
 
-void layOut(QTextDocument& document, const QString& html) {
+// Lays out all: Qt does so step by step, and a change before the last step leaves out the blocks of
+// the rest; counting the pages finishes it.
+void setHtml(QTextDocument& document, const QString& html, QTextOption::WrapMode wrap) {
+    QTextOption option = document.defaultTextOption();
+    option.setWrapMode(wrap);
+    document.setDefaultTextOption(option);
     document.setHtml(html);
-    // Qt lays out step by step, and a change before the last step leaves out the blocks of the
-    // rest: counting the pages finishes it.
     (void)document.pageCount();
+}
+
+bool isWithinPage(const QTextDocument& document) {
+    const auto& layout = *document.documentLayout();
+    const double width = document.pageSize().width() + 1;
+    return document.idealWidth() <= width &&
+           std::ranges::all_of(document.rootFrame()->childFrames(), [&](QTextFrame* frame) {
+               return layout.frameBoundingRect(frame).width() <= width;
+           });
+}
+
+// A column is as wide as its longest word; only where a page has no room for them, as for long
+// names of files, words are broken.
+void layOut(QTextDocument& document, const QString& html) {
+    setHtml(document, html, QTextOption::WordWrap);
+    if (!isWithinPage(document)) {
+        setHtml(document, html, QTextOption::WrapAtWordBoundaryOrAnywhere);
+    }
     keepTablesWhole(document);
     keepHeadingsWithTheirText(document);
 }

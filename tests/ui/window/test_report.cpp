@@ -219,6 +219,30 @@ private slots:
         }
     }
 
+    // Columns take the width of their words; only one that is longer than a line is broken, not
+    // cut.
+    void no_word_is_broken_that_a_line_has_room_for() {
+        const QString name = QStringLiteral("abcdefghij_").repeated(20);
+        const QString word = QStringLiteral("Неортогональность");
+        const QString few = html({{"Name", word}, {{"run", ""}}, {95, 5}});
+        for (const auto& [part, whole] :
+             {std::pair{few, word}, std::pair{paragraph(name), name},
+              std::pair{html({{"Name", "Other"}, {{name, ""}}, {90, 10}}), name}}) {
+            ReportText text;
+            text.html = part;
+            const QString pdf = home_.path("word.pdf");
+            QFile file(pdf);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(reportPdf(text, {}));
+            file.close();
+            const QString page =
+                output("pdftotext", {"-x", "0", "-y", "0", "-W", "595", "-H", "842", pdf, "-"});
+            QVERIFY2(page.contains(word) == (whole == word), qPrintable(page));
+            QVERIFY2(QString(page).remove(QRegularExpression("\\s")).contains(whole),
+                     qPrintable(page));
+        }
+    }
+
     void dates_are_written_as_in_the_language() {
         ReportRecording recording;
         recording.start = "2026-11-28T09:59";
