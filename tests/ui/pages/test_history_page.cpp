@@ -233,7 +233,7 @@ private slots:
         };
         for (const ThemeMode theme : {ThemeMode::dark, ThemeMode::light, ThemeMode::dark}) {
             window_->setThemeMode(theme);
-            QTRY_VERIFY2(links() > 20, qPrintable(QString::number(links())));
+            QTRY_VERIFY2_WITH_TIMEOUT(links() > 20, qPrintable(QString::number(links())), 30000);
         }
         window_->setThemeMode(ThemeMode::light);
     }
