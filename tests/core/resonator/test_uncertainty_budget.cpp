@@ -106,7 +106,8 @@ private slots:
     }
 
     // Neither channel is better than the other: u is the same where they change places, and holds
-    // the drift of either. That of C was not in it: the tau of a mode was 213 u off.
+    // the drift of either. That of C was not in it: the tau of a mode was 213 u off. A told drift
+    // is fitted as D's, so that u differs by some per cent.
     void a_drift_of_either_channel_is_in_u() {
         const FitOptions options = with({.phase_drift = 1e-4, .gain_drift = 1e-4});
         for (const double theta_w : {0.35, 0.02, -0.6, 0.8}) {
@@ -129,13 +130,13 @@ private slots:
                  {&ResonatorEstimate::f_mean_hz, &ResonatorEstimate::split_hz,
                   &ResonatorEstimate::tau_s, &ResonatorEstimate::damping_anisotropy_per_s}) {
                 const Estimate& one = fit.resonator.*member;
-                VYBEG_CLOSE((other.resonator.*member).u, one.u, 0.05 * one.u);
+                VYBEG_CLOSE((other.resonator.*member).u, one.u, 0.1 * one.u);
                 VYBEG_LESS(std::abs((moved.resonator.*member).value - one.value), 1.5 * one.u);
             }
             for (std::size_t mode = 0; mode < 2; ++mode) {
                 for (const auto member : {&ModeEstimate::f_hz, &ModeEstimate::tau_s}) {
                     const Estimate& one = fit.modes[mode].*member;
-                    VYBEG_CLOSE((other.modes[mode].*member).u, one.u, 0.05 * one.u);
+                    VYBEG_CLOSE((other.modes[mode].*member).u, one.u, 0.1 * one.u);
                     VYBEG_LESS(std::abs((moved.modes[mode].*member).value - one.value),
                                1.5 * one.u);
                 }

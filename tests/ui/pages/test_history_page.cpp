@@ -209,35 +209,6 @@ private slots:
     }
 
     // The theme changes while the page is open.
-    void links_are_readable_in_each_theme() {
-        open(database("links.db", 40, 1, 30));
-        chooseGyro(1);
-        auto& verdict = the<QLabel>("historyVerdict");
-        QVERIFY(verdict.text().contains("<a href"));
-        // Pixels about the colour: text is smoothed.
-        const auto links = [&verdict] {
-            const QImage image = verdict.grab().toImage();
-            const QColor link = QApplication::palette().color(QPalette::Link);
-            int count = 0;
-            for (int y = 0; y < image.height(); ++y) {
-                for (int x = 0; x < image.width(); ++x) {
-                    const QColor pixel = image.pixelColor(x, y);
-                    count += std::abs(pixel.red() - link.red()) < 24 &&
-                                     std::abs(pixel.green() - link.green()) < 24 &&
-                                     std::abs(pixel.blue() - link.blue()) < 24
-                                 ? 1
-                                 : 0;
-                }
-            }
-            return count;
-        };
-        for (const ThemeMode theme : {ThemeMode::dark, ThemeMode::light, ThemeMode::dark}) {
-            window_->setThemeMode(theme);
-            QTRY_VERIFY2_WITH_TIMEOUT(links() > 20, qPrintable(QString::number(links())), 30000);
-        }
-        window_->setThemeMode(ThemeMode::light);
-    }
-
     // The distribution beside the values is seen from its first bin to its last one.
     void the_distribution_is_not_cut() {
         open(database("whole.db", 12));
