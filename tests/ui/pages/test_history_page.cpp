@@ -208,7 +208,6 @@ private slots:
         QCOMPARE(page().figures().plots.size(), 4);
     }
 
-    // The theme changes while the page is open.
     // The distribution beside the values is seen from its first bin to its last one.
     void the_distribution_is_not_cut() {
         open(database("whole.db", 12));
