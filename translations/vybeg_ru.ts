@@ -1896,12 +1896,12 @@
         <translation>%1: в канале %2 биения видны по амплитуде, но не по фазе, а фаза канала %3 поворачивается: опорный сигнал следует за каналом %2, как в петле ФАПЧ, и его частота потеряна. Числа неверны. Выберите комплексные амплитуды относительно перестраиваемого генератора и укажите столбец частоты (F) или фазы (P) опорного сигнала либо записывайте с неподвижной опорной частотой.</translation>
     </message>
     <message>
-        <source>The strongest line stands at %1 Hz, beyond the reach of windows about the carrier given, %2 Hz{ (--f0)}: the numbers are those of no wave. Leave the carrier out so that it is looked for, or filter its line out{ (--filter)}.</source>
-        <translation>Самая сильная линия — на %1 Гц, вне досягаемости окон около заданной несущей %2 Гц{ (--f0)}: числа не относятся ни к какой волне. Не задавайте несущую, чтобы программа нашла её сама, или выделите её линию полосовым фильтром{ (--filter)}.</translation>
+        <source>The strongest line stands at %1 Hz, beyond the reach of windows about the carrier given, %2 Hz{ (--f0)}: unless another line is meant, the numbers are those of no wave. Leave the carrier out so that it is looked for, or let a band-pass pass its line alone{ (--filter)}.</source>
+        <translation>Самая сильная линия — на %1 Гц, вне досягаемости окон около заданной несущей %2 Гц{ (--f0)}: если не имелась в виду другая линия, числа не относятся ни к какой волне. Не задавайте несущую, чтобы программа нашла её сама, или выделите её линию полосовым фильтром{ (--filter)}.</translation>
     </message>
     <message>
         <source>%1: turned by the oscillator&apos;s phase the phasors wander, turned the other way they are %2 times as steady: the sign of Y is another one than told, or that of the phase. The numbers do not hold. {Give the other --y-sign|Choose the other sign of Y}, or change the sign of the phase in the file.</source>
-        <translation>%1: при повороте на фазу генератора комплексные амплитуды блуждают, а при повороте в другую сторону они устойчивее в %2 раз: знак Y не тот, что указан, либо не тот знак фазы. Числа неверны. {Укажите другой --y-sign|Выберите другой знак Y} или смените знак фазы в файле.</translation>
+        <translation>%1: при повороте на фазу генератора комплексные амплитуды блуждают, а при повороте в другую сторону они устойчивее (отношение %2): знак Y не тот, что указан, либо не тот знак фазы. Числа неверны. {Укажите другой --y-sign|Выберите другой знак Y} или смените знак фазы в файле.</translation>
     </message>
     <message>
         <source>%1: R^2 + S^2 + Q^2 differs from E^2 by %2 % about %3 s, by more than noise explains: a column has an offset, or a gain of its own, or the wave turns far within a row. The numbers may be off by more than their uncertainties. Calibrate the columns, or log faster.</source>

@@ -100,7 +100,13 @@ Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::i
         }
     }
     const auto segment = TRY(read_segment(source, first, end, job));
-    return carrier_of(segment, settings, rate_hz, job);
+    Result<double> found = carrier_of(segment, settings, rate_hz, job);
+    // Silence at the start says nothing of the rest.
+    if (!found && found.error().code == ErrorCode::channels_constant &&
+        end - first > search_frames) {
+        return Error{ErrorCode::carrier_not_found, "", {}};
+    }
+    return found;
 }
 
 // Mean over as many whole periods as the segment holds; missing samples do not count.

@@ -248,11 +248,12 @@ ROW(reference_follows, serious,
                   "--phasors common with|Choose phasors of an oscillator that moves, with} a "
                   "column of the reference's frequency (F) or phase (P), or log with a fixed "
                   "reference."))
-ROW(carrier_out_of_reach, serious,
+ROW(carrier_out_of_reach, warning,
     VYBEG_MESSAGE("Message",
                   "The strongest line stands at %1 Hz, beyond the reach of windows about the "
-                  "carrier given, %2 Hz{ (--f0)}: the numbers are those of no wave. Leave the "
-                  "carrier out so that it is looked for, or filter its line out{ (--filter)}."))
+                  "carrier given, %2 Hz{ (--f0)}: unless another line is meant, the numbers are "
+                  "those of no wave. Leave the carrier out so that it is looked for, or let a "
+                  "band-pass pass its line alone{ (--filter)}."))
 ROW(oscillator_backward, serious,
     VYBEG_MESSAGE("Message",
                   "%1: turned by the oscillator's phase the phasors wander, turned the other way "

@@ -134,6 +134,14 @@ Estimate refused(ReasonCode code, std::vector<MessageArg> args = {}) {
     return Estimate{.reason = {code, std::move(args)}};
 }
 
+// Angle between the axes of damping by the drift and by the effort, rad of 4 theta; zero within
+// their noise.
+double axes_apart(const Pair& damping, const Pair& rho) {
+    const double apart = std::abs(wrap(std::atan2(rho.value[1], rho.value[0]) -
+                                       std::atan2(damping.value[1], damping.value[0])));
+    return apart > 4 * log_differs * std::hypot(rho.sd_axis(), damping.sd_axis()) ? apart : 0;
+}
+
 // tau = 2 rho/g. An error of the channels moves both alike: the controller holds an amplitude that
 // it sees too large at some angles, and its effort pays for the change.
 Estimate tau_of(const Pair& damping, const EffortPair& effort) {
@@ -147,16 +155,14 @@ Estimate tau_of(const Pair& damping, const EffortPair& effort) {
     // Of a harmonic what moves it across, as the latency of an effort does, may move it along: u of
     // tau holds it while it is small.
     constexpr double small = 0.02;
-    const double apart = std::abs(wrap(std::atan2(rho.value[1], rho.value[0]) -
-                                       std::atan2(damping.value[1], damping.value[0])));
-    const bool unlike = apart > 4 * log_differs * std::hypot(rho.sd_axis(), damping.sd_axis());
-    if (unlike && apart > small) {
+    const double apart = axes_apart(damping, rho);
+    if (apart > small) {
         return refused(ReasonCode::effort_axis_apart, {number_arg(apart / 4 * 180 / pi, 3)});
     }
     const double tau = 2 * rho.size() / damping.size();
     const double sd =
         tau * std::hypot(rho.sd_size() / rho.size(), damping.sd_size() / damping.size());
-    return {tau, sd, {}, unlike ? std::hypot(sd, tau * apart) : sd};
+    return {tau, sd, {}, std::hypot(sd, tau * apart)};
 }
 
 }  // namespace
@@ -170,7 +176,8 @@ HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d
     to_damping << 0, 4, -4, 0;
     const Pair damping = turned({drift, of_noise, with_channels}, to_damping);
     take(damping, "1/s", found.damping_anisotropy_per_s, found.theta_tau_rad);
-    found.tau_s = tau_of(damping, of_logs(logs, &LogDrift::amplitude));
+    const EffortPair damped = of_logs(logs, &LogDrift::amplitude);
+    found.tau_s = tau_of(damping, damped);
     // The effort is against the growth pi split a_A sin 4(theta - theta_w) of the quadrature, in
     // units of that against the decay a_A/tau of the amplitude.
     const EffortPair effort = of_logs(logs, &LogDrift::quadrature);
@@ -184,6 +191,10 @@ HeldResonator held_resonator(const Eigen::Vector2d& drift, const Eigen::Matrix2d
     to_split << 0, -per_tau, per_tau, 0;
     const Pair split = turned(*effort.pair, to_split);
     take(split, "Hz", found.split_hz, found.theta_w_rad);
+    if (found.theta_w_rad.given()) {  // a late effort turns both axes
+        found.theta_w_rad.u =
+            std::hypot(found.theta_w_rad.u, axes_apart(damping, *damped.pair) / 4);
+    }
     if (found.split_hz.given()) {
         const double by_tau = found.split_hz.value / found.tau_s.value;
         found.split_hz.u = std::hypot(found.split_hz.sd, by_tau * found.tau_s.u);

@@ -401,7 +401,7 @@ std::string passport_json(const Passport& passport) {
 
 Result<Passport> read_passport(std::string_view text, const std::string& where) {
     return reading(text, where, [](const Json& json) {
-        if (json.is_object() && !json.contains("vybeg") && json.contains("resonator")) {
+        if (json.is_object() && !json.contains("vybeg") && json.contains("modes_by")) {
             throw fault(words(VYBEG_MESSAGE(
                 "Words", "it is a result of identify; --passport writes the passport")));
         }

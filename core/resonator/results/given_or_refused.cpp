@@ -382,7 +382,8 @@ private:
         const Eigen::MatrixXd root = p_.root(rows, Eigen::all);
         terms.covariance = root * (p_.data + p_.nothing) * root.transpose();
         const Eigen::MatrixXd scattered = set_.scattered(rows, Eigen::all);
-        terms.spread = scattered * scattered.transpose();
+        const Eigen::MatrixXd drifted = set_.moved(rows, Eigen::lastN(std::ssize(drift_errors)));
+        terms.spread = scattered * scattered.transpose() + drifted * drifted.transpose();
         for (std::size_t k = 0; k < channel_errors.size(); ++k) {
             const ChannelError& error = channel_errors[k];
             const double size = set_.tolerance.*error.tolerance;

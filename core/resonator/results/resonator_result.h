@@ -81,7 +81,8 @@ struct DriftTerms {
 
     Eigen::Vector3d value = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // statistical
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();      // by the spread between the runs
+    Eigen::Matrix3d spread =
+        Eigen::Matrix3d::Zero();  // by the spread between the runs and drifts of C
     std::vector<Tolerated> tolerated;
     bool given = false;
 };

@@ -303,6 +303,8 @@ private slots:
                 VYBEG_LESS(std::abs(found.tau_s.value - loop.tau_s) / found.tau_s.u, 3);
                 VYBEG_LESS(found.tau_s.u / found.tau_s.value, 2 * turned + 0.01);
                 VYBEG_LESS(std::abs(found.split_hz.value - loop.split_hz) / found.split_hz.u, 4.5);
+                VYBEG_LESS(std::abs(found.theta_w_rad.value - loop.theta_w) / found.theta_w_rad.u,
+                           3);
             }
         }
     }
