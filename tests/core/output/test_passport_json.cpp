@@ -148,8 +148,7 @@ private slots:
         };
         row("no JSON", "\"schema\"", "schema", "no JSON at byte");
         row("another file", "\"passport\"", "\"session\"", "not a passport's");
-        row("a result", "\"vybeg\": \"passport\",",
-            "\"modes_by\": \"frequency\",",
+        row("a result", "\"vybeg\": \"passport\",", "\"modes_by\": \"frequency\",",
             "it is a result of identify; --passport writes the passport");
         row("schema of nothing", "\"schema\": 2", "\"schema\": 0",
             "schema: a positive number is expected, and 0 is there");
