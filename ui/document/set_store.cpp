@@ -96,8 +96,9 @@ QStringList absentFiles(const RecordingSet& set) {
 }
 
 MeasurementSet withRowFor(MeasurementSet listed, const QString& path, RecordingId id) {
-    const auto row = std::ranges::find_if(
-        listed.recordings, [&path](const RecordingRef& each) { return pathText(each) == path; });
+    const auto row = std::ranges::find_if(listed.recordings, [&path](const RecordingRef& each) {
+        return each.id == number(RecordingId::none) && pathText(each) == path;
+    });
     if (row != listed.recordings.end()) {
         row->id = number(id);
     }

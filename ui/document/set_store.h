@@ -47,7 +47,7 @@ public:
     // Sets of a session, with the ids of open recordings, behind the others; none becomes the
     // current one. No step.
     void restoreSets(std::vector<RecordingSet> sets);
-    // What the list says of the set, otherwise than in its file; a step of undo.
+    // Other settings of a listed set than those of its file; a step of undo.
     void changeListed(SetId id, MeasurementSet listed);
     // Recordings into a set of recordings, each once.
     void addTo(SetId id, const std::vector<RecordingId>& recording_ids);

@@ -84,12 +84,13 @@ void ResonatorPage::showComparison() {
 
 // Of the panel; where a list says how the set is calibrated, of the set and of its rows.
 void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& found) {
-    const auto change = [&](Calibration& calibration) {
+    const auto change = [&](Calibration& calibration, double earlier_s) {
         if (offer == QStringLiteral("kappa") && found.kappa) {
             calibration.kappa = found.kappa->value;
         } else if (offer == QStringLiteral("delay") && found.delay_d_s) {
-            calibration.delay_d_s = *found.delay_d_s;
-        } else if (offer == QStringLiteral("offset") && found.offsets) {
+            calibration.delay_d_s += *found.delay_d_s - earlier_s;
+        } else if (offer == QStringLiteral("offset") && found.offsets &&
+                   calibration.offset_c == 0 && calibration.offset_d == 0) {
             calibration.offset_auto = true;
         }
     };
@@ -101,16 +102,20 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
     const RecordingSet* set = document_.sets().current();
     if (set && set->listed && !set->by_panel) {
         MeasurementSet listed = *set->listed;
-        change(listed.settings.signal.calibration);
+        // What is found is about the first recording; delays of the others keep their distance.
+        const double earlier_s = listed.settings.signal_of(0).calibration.delay_d_s;
+        change(listed.settings.signal.calibration, earlier_s);
         for (SignalSettings& each : listed.settings.of_recordings) {
-            change(each.calibration);
+            change(each.calibration, earlier_s);
         }
         narrow(listed.settings.tolerance);
-        document_.sets().changeListed(set->id, std::move(listed));
+        if (listed.settings != set->listed->settings) {
+            document_.sets().changeListed(set->id, std::move(listed));
+        }
         return;
     }
     Settings settings = document_.settings();
-    change(settings.calibration);
+    change(settings.calibration, settings.calibration.delay_d_s);
     Tolerance tolerance = document_.tolerance();
     narrow(tolerance);
     document_.setTolerance(tolerance);

@@ -108,8 +108,9 @@ void CurveData::joinTurns() {
     if (std::abs(sum) < together * count) {
         return;
     }
-    middle_ = std::arg(sum);
+    // One branch, or noise would choose it where the mean is at pi.
     constexpr double turn = 2 * std::numbers::pi;
+    middle_ = std::arg(sum) < 0 ? std::arg(sum) + turn : std::arg(sum);
     joined_.assign(value_.begin(), value_.end());
     for (double& value : joined_) {
         value -= turn * std::round((value - middle_) / turn);
