@@ -79,16 +79,16 @@ bool is_followed(const ChannelMotion& channel, const ChannelMotion& other) {
            other.smooth > certain && still * other.turn > channel.turn;
 }
 
-// Mean square of the turn over so many rows about its mean, rad^2, of z(k), k = 0 to `count`.
-double wander_of(std::size_t count, std::size_t lag, const auto& z) {
-    const auto turned = [&](std::size_t k) { return z(k) * std::conj(z(k - lag)); };
+// Mean square of the turn over so many rows about its mean, rad^2.
+double wander_of(const ChannelRows& z, std::size_t lag) {
+    const auto turned = [&](std::size_t k) { return z[k] * std::conj(z[k - lag]); };
     std::complex<double> sum = 0;
-    for (std::size_t k = lag; k < count; ++k) {
+    for (std::size_t k = lag; k < z.size(); ++k) {
         sum += turned(k);
     }
     double across = 0;
     double all = 0;
-    for (std::size_t k = lag; k < count; ++k) {
+    for (std::size_t k = lag; k < z.size(); ++k) {
         const std::complex<double> turn = turned(k);
         all += std::norm(turn);
         across += std::norm(turn - std::polar(std::abs(turn), std::arg(sum)));
@@ -156,15 +156,18 @@ std::optional<Diagnostic> backward_oscillator(const ChannelRows& c, const Channe
                                               const ChannelRows& turn) {
     constexpr std::size_t lags = 100;  // in the rows
     constexpr double certain = 5;      // by itself a wave wanders less than a fifth of that
+    if (turn.empty()) {
+        return std::nullopt;
+    }
     const std::size_t lag = std::max<std::size_t>(c.size() / lags, 1);
     double least = std::numeric_limits<double>::infinity();
-    for (const ChannelRows* channel : {&c, &d}) {
-        const ChannelRows& z = *channel;
-        const auto told = [&](std::size_t k) { return z[k]; };
-        const auto other = [&](std::size_t k) { return z[k] * std::conj(turn[k] * turn[k]); };
-        const double by_told = wander_of(turn.empty() ? 0 : z.size(), lag, told);
-        const double by_other = wander_of(turn.empty() ? 0 : z.size(), lag, other);
-        least = std::min(least, by_other > 0 ? std::sqrt(by_told / by_other) : 0);
+    for (const ChannelRows* told : {&c, &d}) {
+        ChannelRows other = *told;
+        for (std::size_t k = 0; k < other.size(); ++k) {
+            other[k] *= std::conj(turn[k] * turn[k]);
+        }
+        const double by_other = wander_of(other, lag);
+        least = std::min(least, by_other > 0 ? std::sqrt(wander_of(*told, lag) / by_other) : 0);
     }
     if (!(least > certain)) {
         return std::nullopt;

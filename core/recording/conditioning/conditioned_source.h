@@ -15,8 +15,7 @@ namespace vybeg {
 
 // What is known of the pick-offs. The calibrated signals are
 //     C(t) = S_C(t) - offset_c,   D(t) = kappa (S_D(t + delay_d) - offset_d).
-// The angle of the first electrode is no matter of the samples: tracks and phasors are turned by
-// it.
+// The angle of the first electrode turns tracks and phasors; the samples stay as they are.
 struct Calibration {
     double kappa = 1;     // gain ratio of the channels, METHOD section 1
     double offset_c = 0;  // recording units

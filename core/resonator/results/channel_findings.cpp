@@ -162,7 +162,7 @@ private:
         }
     }
 
-    // A point for each angle, modulo a right angle: a second recording at one tells nothing new of
+    // A point for each angle, modulo a right angle: two recordings at one angle are one point of
     // what follows the angle.
     std::vector<Quadrature> quadratures() const {
         std::vector<std::vector<Quadrature>> angles;
