@@ -68,7 +68,8 @@ QuantityText quantity_text(double value, double sd, double u) {
     if (u * std::pow(10.0, -statistical.exponent) < most_shared) {
         both.u_exponent = statistical.exponent;
     } else if (u < least || u >= most) {
-        both.u_exponent = static_cast<int>(std::floor(std::log10(u)));
+        // From 9.5 on, the one digit rounds to 10.
+        both.u_exponent = static_cast<int>(std::floor(std::log10(u / 0.95)));
     }
     const double scale = std::pow(10.0, -both.u_exponent);
     both.u = rounded_text(u * scale, last_place(u * scale));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace vybeg::ui {
 
@@ -381,9 +382,21 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
     if (found != content.trends.end()) {
         trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
-        const TrendCurve& curve = *found;
-        trend_->setData(QVector<double>(curve.time_s.begin(), curve.time_s.end()),
-                        QVector<double>(curve.value.begin(), curve.value.end()), true);
+        QVector<double> values(found->value.begin(), found->value.end());
+        const auto of = std::ranges::find(content.analyses, found->of, &ShownAnalysis::id);
+        if (isWrapped(variable_) && of != content.analyses.end() && !values.empty()) {
+            // Onto the branch of its curve.
+            const qsizetype middle = values.size() / 2;
+            const auto curve = of->curve(variable_);
+            const std::size_t row = curve->nearest(found->time_s[static_cast<std::size_t>(middle)]);
+            const double turn = 2 * std::numbers::pi * scale.factor;
+            const double off = scale.value(curve->value(row)) - values[middle];
+            const double turns = std::isfinite(off) ? std::round(off / turn) : 0;
+            for (double& value : values) {
+                value += turns * turn;
+            }
+        }
+        trend_->setData(QVector<double>(found->time_s.begin(), found->time_s.end()), values, true);
         trend_->setPen(QPen(theme().text, 1.6, Qt::DashLine));
         trend_->setSelectable(QCP::stNone);
     }

@@ -50,10 +50,10 @@ Channel name_and_unit(std::string_view field);
 inline const std::vector<const char*> wave_angle_names{
     "theta",       "theta_rad", "theta_deg",       "theta_A",
     "theta_A_rad", "angle",     "two_theta_A_rad", "угол"};
-inline const std::vector<const char*> amplitude_effort_names{"amplitude", "amplitude effort",
-                                                             "amplitude_effort"};
-inline const std::vector<const char*> quadrature_effort_names{"quadrature", "quadrature effort",
-                                                              "quadrature_effort"};
+inline const std::vector<const char*> amplitude_effort_names{
+    "amplitude", "amplitude effort", "amplitude_effort", "амплитуда", "усилие амплитуды"};
+inline const std::vector<const char*> quadrature_effort_names{
+    "quadrature", "quadrature effort", "quadrature_effort", "квадратура", "усилие квадратуры"};
 
 // Part after the last '.' or '/' of a path: "C" of "run.C" or "/run/C".
 std::string_view last_name(std::string_view path);

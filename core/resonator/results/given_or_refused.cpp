@@ -31,6 +31,8 @@ constexpr double modes_need = 5;  // of the modes' difference
 constexpr double grows_by = 3;    // of a mode that refuses all
 constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
+// Least size of a dependence on the amplitude, in its uncertainties.
+constexpr double claimed_u = 3;
 constexpr double vector_needs_in_u = 5;  // of its errors by the tolerances
 constexpr double any_axis_rad =
     pi / 4 / std::numbers::sqrt3;  // deviation of any axis in 90 degrees
@@ -204,14 +206,17 @@ private:
         out.non_orthogonality_rad = channel(skew_of, skew_at, 1);
         out.delay_s = channel(phase_of, phase_at, -1 / (2 * pi * f_ref_hz_));
         const double power_unit = 1 / (set_.scale * set_.scale);
-        if (set_.problem->priors.sd[cubic_at] > 0) {
-            out.frequency_per_power =
-                set_.amplitude_or_time ? Estimate{.reason = {ReasonCode::amplitude_or_time, {}}}
-                : unseen(cubic_of, own_share) ? Estimate{.reason = {ReasonCode::drift_not_seen, {}}}
-                                              : number(cubic_of, power_unit);
+        // An open term may lose its support to what the fit found after it.
+        const bool open = set_.problem->priors.sd[cubic_at] > 0;
+        const Estimate power = open ? number(cubic_of) : set_.cubic_limit;
+        if (open && set_.amplitude_or_time) {
+            out.frequency_per_power.reason = {ReasonCode::amplitude_or_time, {}};
+        } else if (open && unseen(cubic_of, own_share)) {
+            out.frequency_per_power.reason = {ReasonCode::drift_not_seen, {}};
+        } else if (open && std::abs(power.value) > claimed_u * power.uncertainty()) {
+            out.frequency_per_power = number(cubic_of, power_unit);
         } else {
-            const Estimate& limit = set_.cubic_limit;
-            const double most = std::abs(limit.value) + limit_sd * limit.sd;
+            const double most = std::abs(power.value) + limit_sd * power.uncertainty();
             out.frequency_per_power.reason = {ReasonCode::not_nonlinear,
                                               {number_arg(most * power_unit, 3)}};
         }

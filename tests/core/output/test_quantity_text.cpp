@@ -77,6 +77,10 @@ private slots:
         QCOMPARE(quantity_text(1e-5, 9e-5, 0.05).u_exponent, 0);
         QCOMPARE(quantity_text(1e-8, 9e-8, 8e-7).u, std::string("8"));
         QCOMPARE(quantity_text(1e-8, 9e-8, 8e-7).u_exponent, -7);
+        // One digit that rounds to ten.
+        QCOMPARE(quantity_text(6.1e-6, 3e-9, 9.7e-8).u, std::string("0.10"));
+        QCOMPARE(quantity_text(1e-12, 1e-13, 9.7e-8).u, std::string("1.0"));
+        QCOMPARE(quantity_text(1e-12, 1e-13, 9.7e-8).u_exponent, -7);
         QCOMPARE(quantity_text(53127, 1200, 90000).u, std::string("90000"));
         // 100 000 000 000 000·10^-12 was such a u.
         const QuantityText apart = quantity_text(-6e-12, 3e-12, 100);

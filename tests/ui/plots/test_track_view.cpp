@@ -9,6 +9,9 @@
 #include <QtTest>
 #include <qcustomplot.h>
 
+#include <memory>
+#include <numbers>
+
 namespace test_track_view {
 
 using namespace vybeg;
@@ -441,6 +444,32 @@ private slots:
             QCOMPARE(bench.rect(row)->right(), bench.rect(0)->right());
             VYBEG_WITHIN(bench.rect(row)->height(), bench.rect(0)->height(), 1);
         }
+    }
+
+    // Windows on either side of half a turn are one curve.
+    void a_trend_of_a_phase_lies_on_its_curve() {
+        constexpr double pi = std::numbers::pi;
+        ShownAnalysis shown = syntheticAnalysis(0, {.seconds = 10});
+        const auto analysis = std::make_shared<Analysis>(*shown.analysis);
+        const auto values = analysis->track.values(SlowVariable::delta_phi_CD);
+        for (std::size_t row = 0; row < values.size(); ++row) {
+            values[row] = row % 2 == 0 ? pi - 0.01 : 0.01 - pi;
+        }
+        shown.analysis = analysis;
+        shown.curves.clear();
+        Bench bench({shown});
+        bench.view.setTrends({{shown.id, SlowVariable::delta_phi_CD, {2, 8}, {-180.5, -179.5}}});
+        bench.settle();
+        int trends = 0;
+        for (int k = 0; k < bench.plot->graphCount(); ++k) {
+            const QCPGraph* graph = bench.plot->graph(k);
+            if (graph->pen().style() == Qt::DashLine) {
+                ++trends;
+                VYBEG_WITHIN(graph->data()->at(0)->value, 179.5, 1e-9);
+                VYBEG_WITHIN(graph->data()->at(1)->value, 180.5, 1e-9);
+            }
+        }
+        QCOMPARE(trends, 1);
     }
 };
 
