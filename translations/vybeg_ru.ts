@@ -7609,8 +7609,8 @@
         <translation>Что модель предполагает о каналах</translation>
     </message>
     <message>
-        <source>Settings and conditions are those of the measurement list; the panel Analysis does not change them.</source>
-        <translation>Настройки и условия взяты из списка измерений; панель «Обработка» их не меняет.</translation>
+        <source>Settings and conditions come from the measurement list and from offers accepted since; the panel Analysis does not change them.</source>
+        <translation>Настройки и условия взяты из списка измерений и принятых затем предложений; панель «Обработка» их не меняет.</translation>
     </message>
     <message>
         <source>Drop recordings of one resonator here, best started at four angles</source>

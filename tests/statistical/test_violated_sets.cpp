@@ -1,9 +1,12 @@
+#include "core/resonator/fit/map_fit.h"
 #include "tests/closeness.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/violated_sets.h"
 #include "tests/test_registry.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace test_violated_sets {
 
@@ -35,15 +38,12 @@ bool names(const ResonatorFit& fit, std::size_t run) {
     return false;
 }
 
-Tally tally(SetKind kind, int count, std::size_t runs, double least, double most,
-            double two_theta_zero = 0) {
+using MakeSet = std::function<test::ViolatedSet(std::uint64_t seed)>;
+
+Tally tally(int count, const MakeSet& make) {
     std::vector<Tally> each(static_cast<std::size_t>(count));
     test::for_each_seed(count, [&](int k) {
-        // Sizes in a fixed order without a relation to the seeds' sets.
-        const double share = std::fmod(k * 0.618034, 1.0);
-        const double size = least * std::pow(most / least, share);
-        const auto seed = static_cast<std::uint64_t>(k) + 1;
-        const test::ViolatedSet set = test::violated_set(kind, seed, size, runs, two_theta_zero);
+        const test::ViolatedSet set = make(static_cast<std::uint64_t>(k) + 1);
         const Result<ResonatorFit> fit = fit_resonator(set.runs, {.spread = {}}, {});
         if (!fit) {
             qFatal("the fit failed");
@@ -76,6 +76,49 @@ Tally tally(SetKind kind, int count, std::size_t runs, double least, double most
         sum.given += one.given;
     }
     return sum;
+}
+
+Tally tally(SetKind kind, int count, std::size_t runs, double least, double most,
+            double two_theta_zero = 0) {
+    return tally(count, [=](std::uint64_t seed) {
+        // Sizes in a fixed order without a relation to the seeds' sets.
+        const double share = std::fmod(static_cast<double>(seed - 1) * 0.618034, 1.0);
+        const double size = least * std::pow(most / least, share);
+        return test::violated_set(kind, seed, size, runs, two_theta_zero);
+    });
+}
+
+// What a violation adds to the chi^2 of all runs under one resonator, in standard deviations.
+double misfit_of(const test::ViolatedSet& set, const test::ViolatedSet& faultless,
+                 const ResonatorFit& fit) {
+    Eigen::VectorXd start = fit.motion.shared;
+    for (const FittedMotion::Run& run : fit.motion.runs) {
+        start.conservativeResize(start.size() + run.own.size());
+        start.tail(run.own.size()) = run.own;
+    }
+    const auto chi2 = [&](const std::vector<PhasorRun>& runs) {
+        const std::vector<ScaledRun> scaled = scaled_runs(runs, fit.motion.scale);
+        FitProblem problem{scaled, layout_of(scaled), {}};
+        problem.priors = structured_priors(scaled, problem.layout, {});
+        return minimise(problem, start, 200, {}).chi2;
+    };
+    return std::sqrt(std::max(0.0, chi2(set.runs) - chi2(faultless.runs)));
+}
+
+// A set of four with a part of another gyro that adds about `wanted` deviations.
+test::ViolatedSet set_of_misfit(double wanted, std::uint64_t seed) {
+    const auto set = [&](double size) { return test::violated_set(SetKind::part, seed, size, 4); };
+    const test::ViolatedSet faultless = set(0);
+    const Result<ResonatorFit> fit = fit_resonator(faultless.runs, {.spread = {}}, {});
+    if (!fit) {
+        qFatal("the fit failed");
+    }
+    double size = 1e-3;
+    for (int k = 0; k < 4; ++k) {
+        const double misfit = misfit_of(set(size), faultless, *fit);
+        size = std::min(1.0, size * std::clamp(wanted / std::max(misfit, 1e-3), 1e-3, 1e3));
+    }
+    return set(size);
 }
 
 }  // namespace
@@ -112,6 +155,21 @@ private slots:
         VYBEG_AT_LEAST(sets.right, 11);
         VYBEG_EQUAL(sets.fits + sets.spread, 0);
         VYBEG_EQUAL(sets.beyond, 0);
+    }
+
+    // By the size of what it adds to the misfit, 1 to 30 standard deviations (row 28).
+    void a_partly_foreign_recording_is_named_by_its_size() {
+        constexpr int each = 6;
+        for (const double wanted : {1., 3., 5., 7., 10., 14., 20., 30.}) {
+            const Tally sets =
+                tally(each, [wanted](std::uint64_t seed) { return set_of_misfit(wanted, seed); });
+            qInfo(
+                "%g deviations: %d right, %d wrong, %d among, %d elsewhere, %d spread, "
+                "%d refused, %d fit, %d beyond 4 u, of %d",
+                wanted, sets.right, sets.wrong, sets.among, sets.elsewhere, sets.spread,
+                sets.refused, sets.fits, sets.beyond, each);
+            VYBEG_EQUAL(sets.wrong + sets.elsewhere, 0);
+        }
     }
 
     void a_recording_of_another_gyro_in_a_small_set_is_refused_or_named() {

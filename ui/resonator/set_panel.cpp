@@ -248,8 +248,8 @@ void SetPanel::refresh() {
     facts << (of_logs && set->by_panel
                   ? tr("Calibration and tolerances are those of the panel Analysis, which stands "
                        "beside the page Tracks.")
-                  : tr("Settings and conditions are those of the measurement list; the panel "
-                       "Analysis does not change them."));
+                  : tr("Settings and conditions come from the measurement list and from offers "
+                       "accepted since; the panel Analysis does not change them."));
     listed_->setText(facts.join(QLatin1Char(' ')));
     logs_->setVisible(of_logs);
     model_->setCurrentIndex(set ? static_cast<int>(set->model) : 0);

@@ -15,9 +15,16 @@ namespace {
 // R with R R^T the inverse of a positive matrix. Eigenvalues below 1e-14 of the matrix are raised
 // to that value, so that the inverse is huge, not infinite.
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
+    constexpr double clear_pivot = 1e-5;  // its square is far above 1e-14
     const Eigen::VectorXd unit = to_unit_diagonal(matrix);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        Eigen::MatrixXd(unit.asDiagonal() * matrix * unit.asDiagonal()));
+    const Eigen::MatrixXd scaled = unit.asDiagonal() * matrix * unit.asDiagonal();
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
+    if (cholesky.info() == Eigen::Success &&
+        cholesky.matrixLLT().diagonal().minCoeff() > clear_pivot) {
+        return unit.asDiagonal() * Eigen::MatrixXd(cholesky.matrixU().solve(
+                                       Eigen::MatrixXd::Identity(unit.size(), unit.size())));
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
     return unit.asDiagonal() * eigen.eigenvectors() *
            eigen.eigenvalues().cwiseMax(1e-14).cwiseSqrt().cwiseInverse().asDiagonal();
 }
