@@ -7553,6 +7553,10 @@
         <source>The session %1 is damaged: “%2” holds something else than a session has there. Restore the file from a copy.</source>
         <translation>Сеанс %1 повреждён: в «%2» записано не то, что бывает в сеансе. Восстановите файл из копии.</translation>
     </message>
+    <message>
+        <source>The session %1 is damaged: %2 Restore the file from a copy.</source>
+        <translation>Сеанс %1 повреждён: %2 Восстановите файл из копии.</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetPanel</name>

@@ -2,6 +2,7 @@
 
 #include "core/recording/bytes/file_bytes.h"
 #include "core/recording/bytes/sha256.h"
+#include "ui/words/error_text.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -168,7 +169,13 @@ bool SessionKeeper::openSession(const QString& path) {
     if (!session) {
         Error error = session.error();
         error.where = path.toStdString();
-        document_.report(errorMessage(error));
+        fail([path, error] {
+            const QString reason = errorText(error);  // of a setting without the file
+            return reason.contains(path)
+                       ? reason
+                       : tr("The session %1 is damaged: %2 Restore the file from a copy.")
+                             .arg(path, reason);
+        });
         return false;
     }
     session->unknown.remove(backup_key);

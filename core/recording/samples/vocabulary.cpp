@@ -334,7 +334,13 @@ std::optional<double> hertz_per(std::string_view unit) {
 }
 
 std::optional<double> rate_by_name(std::string_view name, double value, std::string_view unit) {
-    return rate_in_hz(meaning_of(name, NamedIn::variables), value, unit);
+    const Meaning meaning = meaning_of(name, NamedIn::variables);
+    if (meaning != Meaning::other) {
+        return rate_in_hz(meaning, value, unit);
+    }
+    const Channel parts = name_and_unit(name);  // of "Sampling Rate (kHz)"
+    return rate_in_hz(meaning_of(parts.name, NamedIn::variables), value,
+                      unit.empty() ? parts.unit : unit);
 }
 
 std::optional<double> rate_in_hz(Meaning meaning, double value, std::string_view unit) {

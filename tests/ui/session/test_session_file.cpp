@@ -103,6 +103,15 @@ private slots:
         }
     }
 
+    void a_setting_that_none_can_have_is_named_with_its_file() {
+        QJsonObject json = jsonOf(saved("sound"));
+        json["tolerance"] = "nOne";
+        window_->files().open({home_.file("wrong.vybeg", QJsonDocument(json).toJson())});
+        QVERIFY2(messages().contains("wrong.vybeg is damaged") && messages().contains("nOne"),
+                 qPrintable(messages()));
+        QCOMPARE(session().path(), home_.path("sound.vybeg"));
+    }
+
     void a_recording_under_another_name_is_found_by_its_content() {
         const QString path = saved("renamed");
         QTRY_VERIFY(!document().recordings()[0].sha256.isEmpty());

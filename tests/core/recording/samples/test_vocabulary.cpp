@@ -96,6 +96,8 @@ private slots:
         QVERIFY(!hertz_per("s") && !hertz_per("mSamples/s"));
         VYBEG_CLOSE(rate_by_name("Sampling_Rate", 10, "kHz").value(), 1e4, 1e-8);
         VYBEG_CLOSE(rate_by_name("dt", 0.1, "ms").value(), 1e4, 1e-8);
+        VYBEG_CLOSE(rate_by_name("Sampling Rate (kHz)", 33.333).value(), 33333, 1e-8);
+        QVERIFY(!rate_by_name("Sampling Rate (V)", 33.333));
         QVERIFY(!rate_by_name("dt", 0) && !rate_by_name("fs", -1) && !rate_by_name("fs", 1, "V"));
         QVERIFY(!rate_by_name("delta", 1));
     }
