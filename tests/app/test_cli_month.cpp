@@ -99,6 +99,7 @@ private slots:
         const QList<QStringList> rows = cells(table_, names);
         QCOMPARE(rows.size(), sets_);
         int beyond = 0;
+        int doubted = 0;
         for (int set = 0; set < sets_; ++set) {
             const auto field = [&](const char* name) {
                 return rows[set].value(names.indexOf(name));
@@ -112,7 +113,12 @@ private slots:
             QCOMPARE(field("date"),
                      QString("2026-10-%1T09:05").arg(1 + set % 30, 2, 10, QChar('0')));
             QCOMPARE(field("temperature_c"), QString("22,5"));
-            QCOMPARE(field("passed"), QString(tau_of(set) < least_tau_s ? "no" : "yes"));
+            // White noise looks coloured in one set of 200, and a warned set has no verdict.
+            const bool warned = field("warnings").contains("residual-coloured");
+            doubted += warned ? 1 : 0;
+            QCOMPARE(field("passed"), QString(warned                      ? "undecided"
+                                              : tau_of(set) < least_tau_s ? "no"
+                                                                          : "yes"));
             const double tau_u = number("u_tau_s");
             const double split_u = number("u_split_hz");
             VYBEG_MORE(tau_u, 0);
@@ -122,6 +128,7 @@ private slots:
             beyond += std::abs(number("split_hz") - split_of(set)) > 2 * split_u ? 1 : 0;
         }
         VYBEG_AT_MOST(beyond, 2 + sets_ / 5);
+        VYBEG_AT_MOST(doubted, sets_ / 60);
         QVERIFY(!table_.contains("\n#"));
         // A few sets take as much memory as all.
         const Used few = used_by(work("few.csv", "few-sets"));
