@@ -1388,6 +1388,10 @@
         <translation>%1: ошибка чтения: %2. Проверьте диск и скопируйте файл заново.</translation>
     </message>
     <message>
+        <source>%1: the program %2, which reads such files, cannot be started: %3. Install Vybeg again, with all of its programs.</source>
+        <translation>%1: программа %2, которая читает такие файлы, не запускается: %3. Установите Vybeg заново, со всеми его программами.</translation>
+    </message>
+    <message>
         <source>%1: the %2 file is damaged: %3. Copy it again.</source>
         <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
     </message>
@@ -1960,8 +1964,8 @@
         <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import (%4)}.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите его в окне «Импорт» (%4)}.</translation>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import}.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите его в окне «Импорт»}.</translation>
     </message>
     <message>
         <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or {give --raw f32 --raw-channels 1 --rate HZ|read it as raw samples under Import}.</source>
@@ -4191,8 +4195,8 @@
         <translation>файлы, которые не массивы NumPy (.npy)</translation>
     </message>
     <message>
-        <source>the helper program %1 cannot be started (%2)</source>
-        <translation>вспомогательная программа %1 не запускается (%2)</translation>
+        <source>the file was changed while it was read</source>
+        <translation>файл изменился, пока его читали</translation>
     </message>
     <message>
         <source>the limit of the stack (ulimit -s)</source>

@@ -4,6 +4,7 @@
 #include "core/analysis/window_noise.h"
 #include "core/recording/checks/recording_check.h"
 #include "core/recording/conditioning/conditioned_source.h"
+#include "core/recording/samples/reader_rules.h"
 #include "core/windows/carrier_search.h"
 
 #include <algorithm>
@@ -210,6 +211,10 @@ Result<std::shared_ptr<const SampleSource>> condition(std::shared_ptr<const Samp
 Result<ConditionedRecording> made_ready(const Recording& recording, const SignalSettings& settings,
                                         const JobControl& job) {
     const double rate = recording.rate_hz;
+    if (recording.file && recording.channel(recording.channel_c).name == "a_A" &&
+        recording.channel(recording.channel_d).name == "a_B") {
+        return holds_waves(*recording.file);
+    }
     ConditionedRecording prepared;
     prepared.diagnostics = recording.diagnostics;
     prepared.calibration = settings.calibration;

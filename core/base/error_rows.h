@@ -23,6 +23,12 @@ ROW(file_empty, bad_input,
     VYBEG_MESSAGE("Message", "%1: the file is empty (0 bytes). Record or copy it again."))
 ROW(file_read_failed, bad_input,
     VYBEG_MESSAGE("Message", "%1: reading failed: %2. Check the disk and copy the file again."))
+// %2: program; %3: why.
+ROW(reader_not_started, bad_input,
+    VYBEG_MESSAGE(
+        "Message",
+        "%1: the program %2, which reads such files, cannot be started: %3. Install Vybeg "
+        "again, with all of its programs."))
 ROW(file_not_regular, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 is a pipe or a device, and a recording is read more than once. Save it to a "
@@ -87,7 +93,7 @@ ROW(too_few_channels, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has "
                   "a file of its own, {name it: --channel-d %4|drop both files into the window "
-                  "together, or choose it under Import (%4)}."))
+                  "together, or choose it under Import}."))
 // %2: name without ending of the file that describes the samples.
 ROW(header_missing, bad_input,
     VYBEG_MESSAGE("Message",

@@ -90,6 +90,12 @@ Error holds_phasors(const FileBytes& file) {
                        "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms"});
 }
 
+Error holds_waves(const FileBytes& file) {
+    return file.error(
+        ErrorCode::holds_log,
+        {words(VYBEG_MESSAGE("Words", "the wave's a, b and theta")), "--columns a,b,theta"});
+}
+
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {
     if (found < (wants_one_channel(options) ? 1 : channels_needed)) {
         return too_few_channels(file, found);

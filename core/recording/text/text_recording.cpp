@@ -213,7 +213,8 @@ bool is_whole_angle(const TextFormat& format) {
     return angle;
 }
 
-// Tracks, whose columns are known, too, open: their values are numbers over time.
+// Tracks, whose columns are known, too, open: their values are numbers over time, which may be
+// looked at, but not analysed.
 Status check_holds_samples(const FileBytes& file, const TextHead& head, const TextFormat& format) {
     const auto has = [&](std::initializer_list<const char*> columns) {
         return std::ranges::all_of(columns, [&](const char* column) {
@@ -234,9 +235,7 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
         return holds_phasors(file);
     }
     if (has({"a", "b", "theta"})) {
-        return file.error(
-            ErrorCode::holds_log,
-            {words(VYBEG_MESSAGE("Words", "the wave's a, b and theta")), "--columns a,b,theta"});
+        return holds_waves(file);
     }
     if (has({"E", "R", "S", "Q"})) {
         return file.error(

@@ -89,9 +89,7 @@ std::filesystem::path helper_path(const std::string& name) {
 }
 
 Error no_helper(const FileBytes& file, const std::string& program, int number) {
-    return file.error(ErrorCode::file_read_failed,
-                      {words(VYBEG_MESSAGE("Words", "the helper program %1 cannot be started (%2)"),
-                             {program, system_reason(number)})});
+    return file.error(ErrorCode::reader_not_started, {program, system_reason(number)});
 }
 
 struct Started {

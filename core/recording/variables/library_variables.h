@@ -24,8 +24,8 @@ class ReaderProcess {
 public:
     // Starts vybeg-reader (or another program, in tests), which lies beside the running one or,
     // installed, in libexec/vybeg, on a file of the given kind ("mat73", "hdf5", "audio"); `format`
-    // names it in errors. Errors: format_damaged, format_unsupported; file_read_failed, where the
-    // helper itself cannot be had, or cannot confine itself.
+    // names it in errors. Errors: format_damaged, format_unsupported; reader_not_started, where the
+    // helper itself cannot be had; file_read_failed, where it cannot confine itself.
     static Result<std::unique_ptr<ReaderProcess>> start(
         std::shared_ptr<const FileBytes> file, const std::string& kind, const std::string& format,
         const std::string& program = "vybeg-reader");

@@ -7,6 +7,7 @@
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/resonator_parameters.h"
+#include "core/resonator/results/set_fit.h"
 #include "core/resonator/runs/decay.h"
 #include "core/resonator/runs/merge_windows.h"
 #include "core/resonator/runs/sum_of_modes.h"
@@ -17,6 +18,7 @@
 #include <complex>
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -323,11 +325,19 @@ private:
         }
     }
 
+    // The fit of a part that it explains; without breaks, as a part that has one is not free.
     std::optional<ResonatorFit> fit_of(const PhasorRun& run, const Part& part) const {
         if (part.size() < least_part || job_.cancelled()) {
             return {};
         }
-        return fitted(kept_windows(run, part.first, part.end));
+        const std::vector<PhasorRun> kept{kept_windows(run, part.first, part.end)};
+        const std::unique_ptr<SetFit> set =
+            solved_set(kept, {largest_amplitude(kept), options_, job_});
+        if (!set->at_noise()) {
+            return {};
+        }
+        ResonatorFit fit = set->described();
+        return explains_all(fit) ? std::optional(std::move(fit)) : std::nullopt;
     }
 
     // The part that decays freely, if the rest does not. `run`: its windows with a wave.
@@ -337,7 +347,7 @@ private:
             const auto quarter = [count](int k) { return count * static_cast<std::size_t>(k) / 4; };
             Part part{quarter(from), quarter(to)};
             std::optional<ResonatorFit> fit = fit_of(run, part);
-            if (!fit || !explains_all(*fit)) {
+            if (!fit) {
                 continue;
             }
             extend(run, part, *fit);
@@ -355,10 +365,9 @@ private:
             std::optional<ResonatorFit> next;
             for (int attempt = 0; attempt < 3 && wider.size() > part.size(); ++attempt) {
                 next = fit_of(run, wider);
-                if (next && explains_all(*next)) {
+                if (next) {
                     break;
                 }
-                next.reset();
                 wider.first = (2 * wider.first + part.first + 2) / 3;
                 wider.end = (2 * wider.end + part.end) / 3;
             }
@@ -415,9 +424,7 @@ private:
             if (rest.size() < least_part) {
                 continue;
             }
-            const std::optional<ResonatorFit> fit = fit_of(run, rest);
-            if (fit && explains_all(*fit) &&
-                std::abs(rate_of(rest) - usual) < similar * std::abs(usual)) {
+            if (fit_of(run, rest) && std::abs(rate_of(rest) - usual) < similar * std::abs(usual)) {
                 return true;
             }
         }

@@ -19,16 +19,6 @@ namespace {
 // Least number of windows of a run: 32 numbers for its four to six own parameters.
 constexpr std::size_t least_windows = 8;
 
-double largest_amplitude(std::span<const PhasorRun> runs) {
-    double most = 0;
-    for (const PhasorRun& run : runs) {
-        for (std::size_t k = 0; k < run.c.size(); ++k) {
-            most = std::max({most, std::abs(run.c[k]), std::abs(run.d[k])});
-        }
-    }
-    return most;
-}
-
 struct OpenedBreaks {
     std::vector<PhasorRun> runs;
     std::vector<FittedBreak> breaks;

@@ -73,6 +73,16 @@ std::size_t number_of_windows(const PhasorRun& run) {
 
 }  // namespace
 
+double largest_amplitude(std::span<const PhasorRun> runs) {
+    double most = 0;
+    for (const PhasorRun& run : runs) {
+        for (std::size_t k = 0; k < run.c.size(); ++k) {
+            most = std::max({most, std::abs(run.c[k]), std::abs(run.d[k])});
+        }
+    }
+    return most;
+}
+
 SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
                std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort)
     : runs_(std::move(runs)),
@@ -106,7 +116,7 @@ NeededWindows SetFit::solve() {
     try_cubic();
     if (!explained_without_cubic(plain, plain_priors)) {
         polish_cubic();
-        if (task_.options.model != FitOptions::Model::free) {
+        if (task_.options.model != FitOptions::Model::free && effort_ == Effort::whole) {
             examine();
         }
     }
@@ -309,7 +319,7 @@ void SetFit::try_cubic() {
 }
 
 void SetFit::polish_cubic() {
-    if (set_.fit.converged || problem_.priors.sd[cubic_at] == 0) {
+    if (set_.fit.converged || problem_.priors.sd[cubic_at] == 0 || effort_ == Effort::trial) {
         return;
     }
     Eigen::VectorXd anew = still_waves(problem_);
@@ -438,7 +448,7 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
     const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
     if (!opened || scaled_.size() < 2 || task_.options.model == FitOptions::Model::free ||
-        runs_agree(problem_, set_.fit.p)) {
+        effort_ == Effort::trial || runs_agree(problem_, set_.fit.p)) {
         return false;
     }
     const MapFit with = std::exchange(set_.fit, plain);

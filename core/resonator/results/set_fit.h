@@ -21,8 +21,12 @@
 
 namespace vybeg {
 
-// A trial of a break takes neither further starts nor the free model.
+// A trial of a break takes neither further starts nor the free model, and asks not whether the runs
+// belong together.
 enum class Effort { whole, trial };
+
+// The usual unit of the phasors of a set, recording units; 0 without a wave.
+double largest_amplitude(std::span<const PhasorRun> runs);
 
 // What all fits of a set share. `scale`: unit of the phasors.
 struct FitTask {
