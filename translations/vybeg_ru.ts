@@ -6100,8 +6100,20 @@
 <context>
     <name>vybeg::ui::HelpView</name>
     <message>
+        <source>No page has “%1”.</source>
+        <translation>Ни на одной странице нет «%1».</translation>
+    </message>
+    <message>
         <source>Vybeg help</source>
         <translation>Справка Vybeg</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Найти</translation>
+    </message>
+    <message>
+        <source>Text to find in the help</source>
+        <translation>Что найти в справке</translation>
     </message>
     <message>
         <source>Help page</source>

@@ -194,6 +194,17 @@ private slots:
         }
     }
 
+    // Its numbers may be looked at.
+    void a_track_is_no_recording_to_analyse() {
+        QCOMPARE(run({"info", tracks_.front()}).status, 0);
+        for (const QStringList& command :
+             {QStringList{"identify"}, QStringList{"analyze", "-o", "-"}}) {
+            const Outcome refused = run(command + QStringList{tracks_.front()});
+            VYBEG_EQUAL(refused.status, 3, refused.err);
+            QVERIFY2(refused.err.contains("--columns a,b,theta"), refused.err);
+        }
+    }
+
     void columns_and_models_that_cannot_be_are_refused() {
         QCOMPARE(run("identify 0.csv --columns E,R,S").status, 2);
         QCOMPARE(run("identify 0.csv --columns E,R,S,Q").status, 3);

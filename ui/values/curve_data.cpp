@@ -108,9 +108,10 @@ void CurveData::joinTurns() {
     if (std::abs(sum) < together * count) {
         return;
     }
-    // One branch, or noise would choose it where the mean is at pi.
+    // One branch, where noise would choose it.
     constexpr double turn = 2 * std::numbers::pi;
-    middle_ = std::arg(sum) < 0 ? std::arg(sum) + turn : std::arg(sum);
+    constexpr double about_pi = 0.9 * std::numbers::pi;
+    middle_ = std::arg(sum) < -about_pi ? std::arg(sum) + turn : std::arg(sum);
     joined_.assign(value_.begin(), value_.end());
     for (double& value : joined_) {
         value -= turn * std::round((value - middle_) / turn);

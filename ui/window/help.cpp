@@ -6,13 +6,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QShortcut>
 #include <QSysInfo>
+#include <QTextDocument>
 #include <QThread>
 #include <QToolBar>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
@@ -24,10 +29,19 @@ QUrl pageUrl(const QString& language, const QString& page) {
     return QUrl(QStringLiteral("qrc:/help/%1/%2").arg(language, page));
 }
 
+bool holds(const QString& page, const QString& text) {
+    QFile file(page);
+    QTextDocument document;
+    if (file.open(QIODevice::ReadOnly)) {
+        document.setHtml(QString::fromUtf8(file.readAll()));
+    }
+    return !document.find(text).isNull();
+}
+
 }  // namespace
 
 HelpView::HelpView(const QString& language, QWidget* parent)
-    : QWidget(parent, Qt::Window), browser_(new QTextBrowser(this)) {
+    : QWidget(parent, Qt::Window), browser_(new QTextBrowser(this)), wanted_(new QLineEdit(this)) {
     resize(820, 720);
     browser_->setOpenLinks(true);
     browser_->setOpenExternalLinks(true);
@@ -41,7 +55,20 @@ HelpView::HelpView(const QString& language, QWidget* parent)
     back_->setShortcut(QKeySequence::Back);
     forward_->setShortcut(QKeySequence::Forward);
     home_->setShortcut(QKeyCombination(Qt::ALT, Qt::Key_Home));
+    auto* between = new QWidget(bar);
+    between->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(between);
+    wanted_->setClearButtonEnabled(true);
+    wanted_->setMaximumWidth(240);
+    bar->addWidget(wanted_);
     fill(new QVBoxLayout(this), {}, 0, {bar, {browser_, 1}});
+    connect(wanted_, &QLineEdit::returnPressed, this, &HelpView::findNext);
+    connect(new QShortcut(QKeySequence::FindNext, this), &QShortcut::activated, this,
+            &HelpView::findNext);
+    connect(new QShortcut(QKeySequence::Find, this), &QShortcut::activated, wanted_, [this] {
+        wanted_->setFocus();
+        wanted_->selectAll();
+    });
     connect(back_, &QAction::triggered, browser_, &QTextBrowser::backward);
     connect(forward_, &QAction::triggered, browser_, &QTextBrowser::forward);
     connect(home_, &QAction::triggered, this,
@@ -72,8 +99,32 @@ void HelpView::setLanguage(const QString& language) {
     browser_->setSource(pageUrl(language, page));
 }
 
+void HelpView::findNext() {
+    const QString text = wanted_->text();
+    if (text.isEmpty() || browser_->find(text)) {
+        return;
+    }
+    const QDir folder(QStringLiteral(":/help/") + language_);
+    const QStringList pages = folder.entryList({QStringLiteral("*.html")});
+    const qsizetype here = pages.indexOf(browser_->source().fileName());
+    // The last one is this page again, from its beginning.
+    for (qsizetype k = 1; k <= pages.size(); ++k) {
+        const QString& page = pages[(here + k) % pages.size()];
+        if (holds(folder.filePath(page), text)) {
+            browser_->setSource(pageUrl(language_, page));
+            browser_->moveCursor(QTextCursor::Start);
+            browser_->find(text);
+            return;
+        }
+    }
+    QToolTip::showText(wanted_->mapToGlobal(wanted_->rect().bottomLeft()),
+                       tr("No page has “%1”.").arg(text.toHtmlEscaped()), wanted_);
+}
+
 void HelpView::retranslate() {
     setWindowTitle(tr("Vybeg help"));
+    wanted_->setPlaceholderText(tr("Find"));
+    wanted_->setAccessibleName(tr("Text to find in the help"));
     browser_->setAccessibleName(tr("Help page"));
     back_->setText(tr("Back"));
     forward_->setText(tr("Forward"));

@@ -5,13 +5,14 @@
 #include <QWidget>
 
 class QAction;
+class QLineEdit;
 
 namespace vybeg::ui {
 
 class Document;
 
 // The help in the interface's language, in a window of its own. Alt+Left and Alt+Right go through
-// the pages visited.
+// the pages visited; the field finds its text on this page and then on the others.
 class HelpView : public QWidget {
     Q_OBJECT
 
@@ -25,11 +26,13 @@ public:
 
 private:
     void retranslate();
+    void findNext();
 
     QTextBrowser* browser_;
     QAction* back_;
     QAction* forward_;
     QAction* home_;
+    QLineEdit* wanted_;
     QString language_;
 };
 

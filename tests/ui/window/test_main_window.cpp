@@ -27,6 +27,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextBrowser>
+#include <QToolTip>
 #include <qcustomplot.h>
 
 #include <cmath>
@@ -406,6 +407,24 @@ private slots:
         VYBEG_MORE(browser.toPlainText().size(), 200);
         window_->setLanguage("ru");
         QVERIFY(browser.source().toString().contains("/help/ru/"));
+    }
+
+    void the_help_finds_a_text_on_any_page() {
+        window_->action(Command::help)->trigger();
+        const auto& help = the<HelpView>();
+        auto* wanted = help.findChild<QLineEdit*>();
+        const auto find = [&](const char* text) {
+            wanted->setText(text);
+            QTest::keyClick(wanted, Qt::Key_Return);
+            return help.browser().textCursor().selectedText();
+        };
+        QCOMPARE(find("LGraph2"), QString("LGraph2"));
+        const QString page = help.browser().source().fileName();
+        QVERIFY(page != "index.html");
+        QCOMPARE(find("LGraph2"), QString("LGraph2"));  // the next, or the first again
+        QCOMPARE(find("Cramér"), QString("Cramér"));
+        find("no such words anywhere");
+        QCOMPARE(QToolTip::text(), QString("No page has “no such words anywhere”."));
     }
 
     void theme_and_language_are_kept_for_the_next_session() {
