@@ -4695,6 +4695,10 @@
         <translation>числа каналов</translation>
     </message>
     <message>
+        <source>orders of the channels</source>
+        <translation>порядок каналов</translation>
+    </message>
+    <message>
         <source>units</source>
         <translation>единицы измерения</translation>
     </message>

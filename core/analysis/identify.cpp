@@ -18,6 +18,7 @@
 #include <iterator>
 #include <numbers>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 namespace vybeg {
@@ -119,8 +120,8 @@ void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& se
     }
 }
 
-// An error of the clock falsifies every absolute frequency and decay time by as much; Q, a number
-// of periods, is free of it.
+// An error of the clock falsifies every frequency, rate and time by as much; Q, a number of
+// periods, is free of it.
 void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
     const double told = found.settings.tolerance.rate_ppm.value_or(0) * 1e-6;
     // What the digits of a file leave open of its rate. A told tolerance is that of one recorder,
@@ -138,19 +139,20 @@ void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
         const double own = recordings[k].rate_relative_sd;
         digits = std::max(digits, own);
         WaveMotion& wave = found.runs[k].wave;
-        scale(wave.f_hz, std::hypot(own, told));
-        scale(wave.tau_s, std::hypot(own, told));
+        for (Estimate* const number : {&wave.f_hz, &wave.tau_s, &wave.theta_rate_rad_s,
+                                       &wave.quadrature_rate_per_s, &wave.decay_per_s}) {
+            scale(*number, std::hypot(own, told));
+        }
     }
     const double relative = std::hypot(digits, told);
     ResonatorFit& fit = found.fit;
     for (std::size_t k = 0; k < fit.shares.size(); ++k) {
-        const auto member = resonator_parameters[k].member;
-        Estimate& number = fit.resonator.*member;
-        const bool clocked =
-            member == &ResonatorEstimate::f_mean_hz || member == &ResonatorEstimate::tau_s;
+        const std::string_view unit = resonator_parameters[k].unit;
+        Estimate& number = fit.resonator.*resonator_parameters[k].member;
+        const bool clocked = !unit.empty() && unit != "rad";
         if (clocked && number.given()) {
             scale(number, relative);
-            fit.shares[k][rate_error] = relative * number.value;
+            fit.shares[k][rate_error] = relative * std::abs(number.value);
         }
     }
     for (ModeEstimate& mode : fit.modes) {

@@ -177,7 +177,13 @@ bool is_untimed(const Result<Recording>& recording) {
 // sample period; nothing where the pieces do not tell. Starts are known to their last digit.
 std::optional<double> gap_between(const Recording& piece, const Recording& next) {
     if (piece.first_time_s && next.first_time_s) {
-        return *next.first_time_s - *piece.first_time_s - piece.seconds();
+        constexpr double day_s = 86400;
+        constexpr double most_s = 3600;  // of a gap about midnight, where times of day begin anew
+        const double gap_s = *next.first_time_s - *piece.first_time_s - piece.seconds();
+        const double of_day_s = std::remainder(gap_s, day_s);
+        const bool anew =
+            gap_s < -day_s / 2 && of_day_s < most_s && std::round(of_day_s * piece.rate_hz) >= 0;
+        return anew ? of_day_s : gap_s;
     }
     const auto start = parse_clock(piece.start);
     const auto start_of_next = parse_clock(next.start);
@@ -209,6 +215,14 @@ Status check_piece(const Recording& last, const Recording& next) {
             return refused(VYBEG_MESSAGE("Words", "units"), last.channel(channel).unit,
                            next.channel(channel).unit);
         }
+    }
+    const auto named = [&](const Recording& piece) {
+        return std::pair(piece.channel(next.channel_c).name, piece.channel(next.channel_d).name);
+    };
+    const auto [c, d] = named(last);
+    if (c != d && named(next) == std::pair(d, c)) {
+        return refused(VYBEG_MESSAGE("Words", "orders of the channels"), c + ", " + d,
+                       d + ", " + c);
     }
     return {};
 }

@@ -102,8 +102,9 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
 }
 
 // Relative standard deviation of a number by its digits alone. Whole numbers are exact. A short
-// number may have lost its zeros and counts for six digits, unless its places are fixed: 0.000030.
-double written_relative_sd(std::string_view number, double value) {
+// number may have lost its zeros and counts for six digits, unless its places are fixed: 0.000030,
+// or a step between samples of no whole rate: 0.000104 s.
+double written_relative_sd(std::string_view number, double value, Meaning meaning, double hz) {
     const bool exponent = number.find_first_of("eE") != std::string_view::npos;
     const bool point = number.find('.') != std::string_view::npos;
     if (!exponent && !point) {
@@ -111,10 +112,14 @@ double written_relative_sd(std::string_view number, double value) {
     }
     constexpr int digits_of_a_short_number = 6;
     constexpr double least_without_exponent = 1e-4;  // a number below it has its places fixed
+    constexpr double whole = 1e-9;                   // relative
     const NumberDigits digits = digits_of(number);
     const double last = std::pow(10.0, -digits.decimals);
+    const bool of_no_whole_rate =
+        meaning == Meaning::step && std::abs(hz - std::round(hz)) > whole * hz;
     const bool fixed =
-        !exponent && (number.back() == '0' || std::abs(value) < least_without_exponent);
+        of_no_whole_rate ||
+        (!exponent && (number.back() == '0' || std::abs(value) < least_without_exponent));
     const double sixth =
         std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits_of_a_short_number);
     return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
@@ -255,8 +260,9 @@ private:
             unit = unit.empty() ? each : unit;
         }
         const auto hz = rate_in_hz(key.meaning, number->value, unit);
-        return hz ? std::optional(SampleRate{*hz, RateOrigin::file,
-                                             written_relative_sd(number->number, number->value)})
+        return hz ? std::optional(SampleRate{
+                        *hz, RateOrigin::file,
+                        written_relative_sd(number->number, number->value, key.meaning, *hz)})
                   : std::nullopt;
     }
 

@@ -244,6 +244,17 @@ private slots:
                  *text_sha256(bytes_of(first) + bytes_of(second) + bytes_of(third)));
     }
 
+    // Times of day begin anew.
+    void pieces_on_either_side_of_midnight_follow_each_other() {
+        const Folder folder;
+        const std::vector<std::function<double(double)>> both{signal_c, signal_d};
+        const auto before = folder.write("1.csv", table("t,C,D", 500, 86400 - 300 / rate, both));
+        const auto after = folder.write("2.csv", table("t,C,D", 500, 230 / rate, both));
+        const Recording recording = opened(before, joined_with({after}));
+        QCOMPARE(recording.frames(), 1030);
+        QCOMPARE(find(recording, DiagnosticKind::time_gap)->count, 30);
+    }
+
     void pieces_untimed_follow_each_other_and_it_is_told() {
         const Folder folder;
         OpenOptions raw{.rate_hz = rate, .raw = RawLayout{}};
@@ -264,6 +275,8 @@ private slots:
         const auto wide =
             folder.write("4.csv", table("t,C,D,E", 500, 1, {signal_c, signal_d, signal_c}));
         QCOMPARE(open(first, joined_with({wide})).error().code, ErrorCode::parts_differ);
+        const auto turned = folder.write("6.csv", table("t,D,C", 500, 500 / rate, both));
+        QVERIFY(sentence(open(first, joined_with({turned}))).contains("C, D and D, C"));
         const auto far = folder.write("5.csv", table("t,C,D", 500, 1e6, both));
         QCOMPARE(open(first, joined_with({far})).error().code, ErrorCode::format_limit);
     }

@@ -340,6 +340,26 @@ private slots:
         QCOMPARE(recording.error().code, ErrorCode::rate_unknown);
     }
 
+    // "0.000104" is what is left of 1/9600 s, "0.000125" is 1/8000 s.
+    void a_step_of_few_digits_leaves_the_rate_open_data() {
+        QTest::addColumn<QString>("step");
+        QTest::addColumn<double>("relative_sd");
+        QTest::newRow("0.000104") << "0.000104" << 1e-6 / std::sqrt(12) / 1.04e-4;
+        QTest::newRow("1.04E-04") << "1.04E-04" << 1e-6 / std::sqrt(12) / 1.04e-4;
+        QTest::newRow("0.104 ms") << "0.104 ms" << 1e-3 / std::sqrt(12) / 0.104;
+        QTest::newRow("0.000125") << "0.000125" << 1e-9 / std::sqrt(12) / 1.25e-4;
+        QTest::newRow("2.5E-5") << "2.5E-5" << 1e-10 / std::sqrt(12) / 2.5e-5;
+    }
+    void a_step_of_few_digits_leaves_the_rate_open() {
+        QFETCH(QString, step);
+        QFETCH(double, relative_sd);
+        const Folder folder;
+        const Recording recording =
+            opened(folder.write("run.csv", "Sample Interval: " + step.toStdString() + "\n" +
+                                               table("No,C (V),D (V)", 0, 1)));
+        VYBEG_CLOSE_RATIO(recording.rate_relative_sd, relative_sd, 1e-6);
+    }
+
     void the_unit_of_a_step_may_stand_in_a_line_of_its_own() {
         const Folder folder;
         const QString step = QString::number(1e3 / rate_hz, 'g', 12);
