@@ -133,14 +133,15 @@ private:
         const double most =
             std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(pair_covariance(first))
                           .eigenvalues()[1]);
-        const Reason within{ReasonCode::within_noise,
-                            {number_arg(length + limit_sd * most, 3), unit_arg(unit)}};
+        const double by_errors = set_.moved.middleRows(p_.place_of(first), 2).norm();
+        const Reason within{
+            ReasonCode::within_noise,
+            {number_arg(length + limit_sd * std::hypot(most, by_errors), 3), unit_arg(unit)}};
         size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
         axis_out = length < std::max(axis_needs, set_.split_needs) * most
                        ? Estimate{.reason = within}
                        : number(axis);
         // Errors as large as the vector leave any axis.
-        const double by_errors = set_.moved.middleRows(p_.place_of(first), 2).norm();
         if (axis_out.given() && length < vector_needs_in_u * by_errors) {
             axis_out.u = std::hypot(axis_out.sd, any_axis_rad);
         }

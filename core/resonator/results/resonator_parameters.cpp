@@ -1,6 +1,9 @@
 #include "core/resonator/results/resonator_parameters.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace vybeg {
@@ -33,11 +36,18 @@ std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget) {
 
 Conformity conformity(const Estimate& estimate, const ParameterLimit& limit) {
     const double half = coverage_factor * estimate.uncertainty();
-    if (!estimate.given() || !(half >= 0)) {
+    double least = estimate.value - half;
+    double most = estimate.value + half;
+    if (estimate.reason.code == ReasonCode::within_noise && !estimate.reason.args.empty()) {
+        // The size of a difference that is too small to be seen.
+        least = 0;
+        most = parse_number(estimate.reason.args.front().text).value_or(std::nan(""));
+    } else if (!estimate.given()) {
         return Conformity::unknown;
     }
-    const double least = estimate.value - half;
-    const double most = estimate.value + half;
+    if (!(least <= most)) {
+        return Conformity::unknown;
+    }
     if ((limit.lower && most < *limit.lower) || (limit.upper && least > *limit.upper)) {
         return Conformity::outside;
     }

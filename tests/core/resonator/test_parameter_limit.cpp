@@ -60,6 +60,18 @@ private slots:
         QCOMPARE(conformity(refused, most), Conformity::unknown);
     }
 
+    void a_difference_within_its_noise_has_a_greatest_value() {
+        const Estimate refused{.reason = {ReasonCode::within_noise, {number_arg(1.31e-5, 3)}}};
+        const auto judged = [&](std::optional<double> lower, std::optional<double> upper) {
+            return conformity(refused, {"split_hz", lower, upper});
+        };
+        QCOMPARE(judged({}, 0.01), Conformity::within);
+        QCOMPARE(judged(0.0, 0.01), Conformity::within);
+        QCOMPARE(judged({}, 1e-5), Conformity::unknown);
+        QCOMPARE(judged(1e-6, 0.01), Conformity::unknown);
+        QCOMPARE(judged(1e-3, 0.01), Conformity::outside);
+    }
+
     // A parameter at its limit is called within, or outside, in one of 44 measurements (2.3 %).
     void a_parameter_at_its_limit_is_seldom_decided() {
         std::mt19937_64 random(1);
