@@ -137,13 +137,14 @@ struct ParameterLimit {
     friend bool operator==(const ParameterLimit&, const ParameterLimit&) = default;
 };
 
-// unknown: the parameter has neither value nor bound, or its coverage interval reaches over a limit.
+// unknown: the parameter has neither value nor bound, or its coverage interval reaches over a
+// limit.
 enum class Conformity { unknown, within, outside };
 
 // Whether the whole coverage interval lies on one side of the limits: guarded acceptance and
-// guarded rejection with guard bands U = 2u, JCGM 106:2012, 8.3.2 and 8.3.3. A difference within its
-// noise lies between zero and the greatest value that its reason states. unknown, too, for a value
-// without an uncertainty.
+// guarded rejection with guard bands U = 2u, JCGM 106:2012, 8.3.2 and 8.3.3. A difference within
+// its noise lies between zero and the greatest value that its reason states. unknown, too, for a
+// value without an uncertainty.
 Conformity conformity(const Estimate& estimate, const ParameterLimit& limit);
 
 // Whether a resonator keeps all of its limits.
