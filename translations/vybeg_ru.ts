@@ -1868,6 +1868,10 @@
         <translation>Допускам не соответствуют наборы: %1, не решено: %2, всего: %3.</translation>
     </message>
     <message>
+        <source>Nothing is judged in %1 of %2 sets: the table of limits has none for their type of gyro.</source>
+        <translation>Не оценивается наборов: %1 из %2, в таблице допусков нет допусков для их типа гироскопа.</translation>
+    </message>
+    <message>
         <source>%1 is in use by another program. The batch waits for it, up to %2 s.</source>
         <translation>%1 занят другой программой. Пакетная обработка ждёт его, не дольше %2 с.</translation>
     </message>

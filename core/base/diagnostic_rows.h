@@ -397,6 +397,10 @@ ROW(other_rows, warning,
                   "settings, limits or columns are others."))
 ROW(limits_not_kept, warning,
     VYBEG_MESSAGE("Message", "The limits are not kept by %1 of %3 sets; %2 are undecided."))
+ROW(limits_missing, warning,
+    VYBEG_MESSAGE("Message",
+                  "Nothing is judged in %1 of %2 sets: the table of limits has none for their type "
+                  "of gyro."))
 ROW(database_waits, warning,
     VYBEG_MESSAGE("Message",
                   "%1 is in use by another program. The batch waits for it, up to %2 s."))

@@ -305,6 +305,12 @@ private:
                              {count_arg(counts.failed), count_arg(counts.undecided),
                               count_arg(std::ssize(tasks))}}});
         }
+        const auto without = std::ranges::count_if(
+            tasks, [](const SetTask& task) { return task.limits && task.limits->empty(); });
+        if (without > 0) {
+            events_.warned({{DiagnosticKind::limits_missing,
+                             {count_arg(without), count_arg(std::ssize(tasks))}}});
+        }
         return {};
     }
 

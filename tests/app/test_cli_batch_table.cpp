@@ -63,6 +63,8 @@ private slots:
             const QByteArray count = each.passed == "no" ? "1" : "0";
             QCOMPARE(outcome.err.contains("The limits are not kept by " + count + " of "),
                      !each.passed.isEmpty());
+            QCOMPARE(outcome.err.contains("Nothing is judged in 2 of 2 sets"),
+                     each.passed.isEmpty());
             const QList<QByteArray> names = names_of(table);
             QCOMPARE(names.indexOf("passed"), names.indexOf("warnings") + 1);
             QCOMPARE(names.indexOf("failed_by"), names.indexOf("bias_v") - 1);
