@@ -1968,8 +1968,8 @@
         <translation>%1: каналов нет: ни в одном столбце и ни в одной переменной, кроме времени, нет нескольких чисел. В записи два измерительных канала, C и D.</translation>
     </message>
     <message>
-        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose it under Import}.</source>
-        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите его в окне «Импорт»}.</translation>
+        <source>%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has a file of its own, {name it: --channel-d %4|drop both files into the window together, or choose %4 as D under Import}.</source>
+        <translation>%1: каналов %2, а нужно %3: измерительные каналы C и D. Если канал D записан в отдельный файл, {укажите его: --channel-d %4|перетащите в окно оба файла вместе или выберите %4 каналом D в окне «Импорт»}.</translation>
     </message>
     <message>
         <source>%1 holds samples alone, and neither %2.anp nor %2.xml beside it tells their sample rate. Copy that file, too, or {give --raw f32 --raw-channels 1 --rate HZ|read it as raw samples under Import}.</source>
@@ -3693,6 +3693,18 @@
     <message>
         <source>the oscillator&apos;s frequency moves from %1 to %2 (column %3), so that the reference is not fixed: choose --phasors common</source>
         <translation>частота генератора меняется от %1 до %2 (столбец %3), опорная частота не постоянна: выберите --phasors common</translation>
+    </message>
+    <message>
+        <source>column %1 says that the reference is %2, and --f-ref that it is %3: leave --f-ref out, or correct it</source>
+        <translation>в столбце %1 опорная частота %2, а --f-ref задаёт %3: уберите --f-ref или исправьте</translation>
+    </message>
+    <message>
+        <source>its reference is %1, that of channel C %2: record both with one oscillator</source>
+        <translation>его опорная частота %1, а у канала C %2: запишите оба канала с одним генератором</translation>
+    </message>
+    <message>
+        <source>FILE</source>
+        <translation>ФАЙЛ</translation>
     </message>
     <message>
         <source>column %1 is the phase of X + iY itself: choose --phasors fixed</source>

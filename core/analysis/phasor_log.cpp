@@ -203,6 +203,12 @@ double frequency_behind(double rad, const LogColumn& phase, const LogColumn& fre
     return median(std::move(rates));
 }
 
+// Whether two frequencies differ by more than their digits in a file.
+bool is_another(double hz, double other_hz) {
+    constexpr double digits = 1e-6;
+    return std::abs(hz - other_hz) > digits * other_hz;
+}
+
 // The reference of the rows, whose phasors it turns where it moves.
 Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
              const LogChoice& choice, LogRows& rows) {
@@ -220,6 +226,15 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
                               "--phasors common"),
                 {number_arg(least, 10, "Hz"), number_arg(most, 10, "Hz"), frequency->name});
         }
+    }
+    if (how.frame == PhasorFrame::fixed && frequency != nullptr && how.f_ref_hz > 0 &&
+        is_another(median(frequency->values), how.f_ref_hz)) {
+        return wrong_choice(how,
+                            VYBEG_MESSAGE("Words",
+                                          "column %1 says that the reference is %2, and --f-ref "
+                                          "that it is %3: leave --f-ref out, or correct it"),
+                            {frequency->name, number_arg(median(frequency->values), 10, "Hz"),
+                             number_arg(how.f_ref_hz, 10, "Hz")});
     }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
         return wrong_choice(how,
@@ -319,7 +334,18 @@ Result<LogRows> rows_of_two_tables(const std::filesystem::path& path, const Open
                                   std::filesystem::path(options.channel_d_file).filename().string(),
                                   count_arg(static_cast<std::int64_t>(other.size()))}});
     }
-    TRY(refer(of_c.find("F"), of_c.find("P"), path, choice, rows));
+    const LogColumn* const f_c = of_c.find("F");
+    const LogColumn* const f_d = of_d.find("F");
+    if (choice.phasors.frame == PhasorFrame::fixed && f_c != nullptr && f_d != nullptr &&
+        is_another(median(f_d->values), median(f_c->values))) {
+        return refused_value("--channel-d", options.channel_d_file,
+                             words(VYBEG_MESSAGE("Words",
+                                                 "its reference is %1, that of channel C %2: "
+                                                 "record both with one oscillator"),
+                                   {number_arg(median(f_d->values), 10, "Hz"),
+                                    number_arg(median(f_c->values), 10, "Hz")}));
+    }
+    TRY(refer(f_c, of_c.find("P"), path, choice, rows));
     return rows;
 }
 

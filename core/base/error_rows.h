@@ -93,7 +93,7 @@ ROW(too_few_channels, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1 has %2 channel(s), and %3 are needed: the two pick-offs C and D. Where D has "
                   "a file of its own, {name it: --channel-d %4|drop both files into the window "
-                  "together, or choose it under Import}."))
+                  "together, or choose %4 as D under Import}."))
 // %2: name without ending of the file that describes the samples.
 ROW(header_missing, bad_input,
     VYBEG_MESSAGE("Message",

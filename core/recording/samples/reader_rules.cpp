@@ -81,7 +81,8 @@ Error too_few_channels(const FileBytes& file, int found) {
     const auto partner = partner_of(file.path());
     return file.error(ErrorCode::too_few_channels,
                       {count_arg(found), count_arg(channels_needed),
-                       partner ? partner->filename().string() : std::string("FILE")});
+                       partner ? MessageArg(partner->filename().string())
+                               : words(VYBEG_MESSAGE("Words", "FILE"))});
 }
 
 Error holds_phasors(const FileBytes& file) {

@@ -54,6 +54,20 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
     return merged;
 }
 
+// Windows of a run that are enough: their noise is nearly new from one to the next, as the tests of
+// what happened and of what belongs together take it for white.
+std::size_t enough_windows_of(const PhasorRun& run) {
+    constexpr double apart = 2;  // memories of the noise
+    constexpr std::size_t least = 24;
+    double memory = 1;  // windows
+    for (std::size_t lag = 1; lag < run.noise_correlation.size(); ++lag) {
+        memory += 2 * std::max(run.noise_correlation[lag], 0.0);
+    }
+    const double separate = static_cast<double>(run.time_s.size()) / (apart * memory);
+    return memory > 1 ? std::clamp(static_cast<std::size_t>(separate), least, enough_windows)
+                      : enough_windows;
+}
+
 // Rates of the M that has these modes; empty for modes of one shape.
 std::optional<SlowRates> rates_of_modes(const ModeSum& modes) {
     constexpr double least_sine = 1e-6;
@@ -497,11 +511,16 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
             std::ranges::all_of(whitenings, [](const auto& one) { return one.isIdentity(0); });
         return white ? std::move(out) : solve_once(runs);
     };
-    const std::vector<PhasorRun> runs = merged(good, enough_windows);
+    std::vector<PhasorRun> runs;
+    std::size_t enough = 0;
+    for (const PhasorRun& run : good) {
+        enough = std::max(enough, enough_windows_of(run));
+        runs.push_back(merge_windows(run, enough_windows_of(run)));
+    }
     Solution coarse = solve(runs);
     const double windows =
         std::min(std::max(coarse.needed.by_motion, coarse.needed.by_line), most_windows);
-    if (!(windows > static_cast<double>(enough_windows)) || task.job.cancelled()) {
+    if (!(windows > static_cast<double>(enough)) || task.job.cancelled()) {
         return std::move(coarse.set);
     }
     const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
@@ -509,7 +528,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         return std::move(coarse.set);
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
-    const bool by_motion = coarse.needed.by_motion > static_cast<double>(enough_windows);
+    const bool by_motion = coarse.needed.by_motion > static_cast<double>(enough);
     Solution fine = solve(finer);
     return by_motion || fine.set->explains_as_much_as(*coarse.set) ? std::move(fine.set)
                                                                    : std::move(coarse.set);
