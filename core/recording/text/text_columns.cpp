@@ -214,11 +214,24 @@ private:
         if (at(candidate).is_clock()) {
             format_.clock_from_s = at(candidate).clock_from_s;
         } else {
-            format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(1));
+            constexpr double day_s = 86400;
+            const double usual = unit.empty() && counts_days(candidate) ? day_s : 1;
+            format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(usual));
             if (!unit_said && unit.empty() && counts_other(candidate)) {
                 format_.unknown_time_unit = name(candidate).unit;
             }
         }
+    }
+
+    // Dates as spreadsheets hold them, in days since 1900: as seconds, hours after the first one,
+    // they would step by less than 10 us.
+    bool counts_days(int column) const {
+        constexpr double first = 20000;  // 1954
+        constexpr double last = 80000;   // 2119
+        constexpr double least_step = 1e-5;
+        const std::vector<double>& values = at(column).values;
+        return values.size() > 1 && values.front() > first && values.back() < last &&
+               values.back() - values.front() < least_step * static_cast<double>(values.size() - 1);
     }
 
     double unit_of(int column) const {

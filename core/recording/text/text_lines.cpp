@@ -367,9 +367,10 @@ bool TextRows::any_row(std::string_view line, bool ended) {
         fault_ = TextFault{ErrorCode::format_limit};
         return false;
     }
-    // A row of delimiters alone is a missing sample only where no time is missing as well.
-    if (trimmed(line).empty() ||
-        (columns_.time >= 0 && line.find_first_not_of(no_content) == std::string_view::npos)) {
+    // A row of delimiters alone is a missing sample only where no time is missing as well, also
+    // when the times have done their part.
+    if (trimmed(line).empty() || (format_.time_column >= 0 &&
+                                  line.find_first_not_of(no_content) == std::string_view::npos)) {
         return false;
     }
     if (is_comment(line, format_.delimiter)) {

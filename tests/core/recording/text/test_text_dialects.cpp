@@ -295,6 +295,25 @@ private slots:
         QCOMPARE(ignored->args, std::vector<MessageArg>{"2"});
     }
 
+    void rows_of_delimiters_among_times_are_passed_over_data() {
+        QTest::addColumn<QString>("after");
+        QTest::newRow("in the middle") << ",,\n0.200,7,8\n";
+        QTest::newRow("above a comment") << "0.200,7,8\n,,\n# end\n";
+        QTest::newRow("above a footer") << "0.200,7,8\n,,\nMax,,\n";
+    }
+    void rows_of_delimiters_among_times_are_passed_over() {
+        QFETCH(QString, after);
+        const Folder folder;
+        std::string text = "t,C,D\n";
+        for (int k = 0; k < 200; ++k) {
+            text += "0." + std::to_string(1000 + k).substr(1) + ",1,2\n";
+        }
+        const Recording recording = opened(folder.write("run", text + after.toStdString()));
+        const std::vector<double> c = read_all(recording).c;
+        QCOMPARE(c.size(), std::size_t{201});
+        QCOMPARE(c.back(), 7.0);
+    }
+
     void any_two_columns_can_be_c_and_d_and_the_time_does_not_count() {
         const Folder folder;
         std::string text = "A,t,B,E\n";

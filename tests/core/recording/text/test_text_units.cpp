@@ -340,6 +340,18 @@ private slots:
         QCOMPARE(recording.error().code, ErrorCode::rate_unknown);
     }
 
+    void dates_of_a_spreadsheet_are_days() {
+        const Folder folder;
+        QString text("Date;c;d\n");
+        for (int k = 0; k < 400; ++k) {
+            text += QString("%1;%2;1\n").arg(46112 + k / 9600. / 86400, 0, 'f', 12).arg(k % 7);
+        }
+        const Recording recording = opened(folder.write("run.csv", text.toStdString()));
+        QCOMPARE(recording.frames(), 400);
+        VYBEG_WITHIN(recording.rate_hz / 9600, 1, 5 * recording.rate_relative_sd + 1e-6);
+        VYBEG_LESS(recording.rate_relative_sd, 1e-4);
+    }
+
     // "0.000104" is what is left of 1/9600 s, "0.000125" is 1/8000 s.
     void a_step_of_few_digits_leaves_the_rate_open_data() {
         QTest::addColumn<QString>("step");
