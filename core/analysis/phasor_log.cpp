@@ -575,10 +575,8 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     }
     centre(step_s, rows);
     if (choice.phasors.frame == PhasorFrame::fixed) {
-        const Complex response = filter.response(rows.f_ref_hz - told_hz);
-        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-            rows.c[k] /= response;
-            rows.d[k] /= response;
+        for (std::vector<Complex>* const channel : {&rows.c, &rows.d}) {
+            filter.take_out(rows.f_ref_hz - told_hz, step_s, rows.time_s, *channel);
         }
     }
     remove_image(rows.f_ref_hz, rows.time_s, rows.c, rows.d);

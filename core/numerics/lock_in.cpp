@@ -21,6 +21,24 @@ std::complex<double> LockIn::response(double offset_hz) const {
     return std::polar(1.0, w * delay_s()) / std::pow(std::complex<double>(1, w * tau_s()), order);
 }
 
+void LockIn::take_out(double offset_hz, double step_s, std::span<const double> time_s,
+                      std::vector<std::complex<double>>& z) const {
+    const std::complex<double> turn(0, 2 * std::numbers::pi * offset_hz * tau_s());
+    const std::complex<double> slope_s =
+        delay_s() * turn / (1.0 + turn);  // of log response + delay
+    const std::complex<double> gain = response(offset_hz);
+    const std::vector<std::complex<double>> seen = z;
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        const bool after_gap = k == 0 || time_s[k] - time_s[k - 1] > 1.5 * step_s;
+        const bool before_gap = k + 1 == z.size() || time_s[k + 1] - time_s[k] > 1.5 * step_s;
+        const std::size_t from = after_gap ? k : k - 1;
+        const std::size_t to = before_gap ? k : k + 1;
+        const std::complex<double> rate =
+            from == to ? 0 : (seen[to] - seen[from]) / (time_s[to] - time_s[from]);
+        z[k] = (seen[k] - slope_s * rate) / gain;
+    }
+}
+
 double LockIn::correlation(double t_s) const {
     if (order == 0) {
         return t_s == 0 ? 1 : 0;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <complex>
+#include <span>
+#include <vector>
 
 namespace vybeg {
 
@@ -14,6 +16,12 @@ struct LockIn {
 
     // Response to a wave that is `offset_hz` above the reference, without the delay.
     std::complex<double> response(double offset_hz) const;
+
+    // Takes the response, without the delay, out of phasors that turn slowly about `offset_hz`
+    // above the reference: to first order in their turn, as the two modes of a wave are attenuated
+    // unlike. `time_s`: of the rows, about `step_s` apart but for gaps.
+    void take_out(double offset_hz, double step_s, std::span<const double> time_s,
+                  std::vector<std::complex<double>>& z) const;
 
     // Correlation of white noise behind the filter, 1 at t = 0:
     //     integral of s^(p-1) (s + x)^(p-1) e^(-2s-x) ds over that of x = 0, x = |t| / tau.

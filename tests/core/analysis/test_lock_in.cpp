@@ -6,6 +6,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -78,6 +79,43 @@ private slots:
             VYBEG_CLOSE(filter.tau_s() * 2 * pi * 25, factors.at(std::size_t(order - 1)), 1e-6);
             VYBEG_CLOSE(std::norm(filter.response(25)), 0.5, 1e-12);
         }
+    }
+
+    // Two modes 0.05 Hz apart, half a hertz beside the reference of a narrow filter.
+    void modes_come_out_as_they_went_in() {
+        const LockIn filter{4, 1};
+        constexpr double offset_hz = 0.5;
+        constexpr double step_s = 0.02;
+        std::vector<double> time_s;
+        std::vector<Complex> pure;
+        std::vector<Complex> seen;
+        for (int k = 0; k < 1000; ++k) {
+            const double t = k * step_s + (k > 500 ? 0.5 : 0);
+            Complex in = 0;
+            Complex out = 0;
+            for (const double side : {-1.0, 1.0}) {
+                const Complex motion(-1 / 60., side * pi * 0.05);
+                const Complex s = motion + Complex(0, 2 * pi * offset_hz);
+                const Complex response =
+                    std::exp(s * filter.delay_s()) / std::pow(1.0 + s * filter.tau_s(), 4);
+                const Complex mode = std::polar(1.0, side) * std::exp(motion * t);
+                in += mode;
+                out += response * mode;
+            }
+            time_s.push_back(t);
+            pure.push_back(in);
+            seen.push_back(out);
+        }
+        std::vector<Complex> found = seen;
+        filter.take_out(offset_hz, step_s, time_s, found);
+        double before = 0;
+        double after = 0;
+        for (std::size_t k = 1; k + 1 < found.size(); ++k) {
+            before = std::max(before, std::abs(seen[k] / filter.response(offset_hz) - pure[k]));
+            after = std::max(after, std::abs(found[k] - pure[k]));
+        }
+        VYBEG_MORE(before, 5e-3);
+        VYBEG_LESS(after, 1e-3);
     }
 
     // The integral of |H|^2 cos(2 pi f t) over that of |H|^2.
