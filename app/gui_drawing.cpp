@@ -6,12 +6,14 @@
 #include "core/analysis/identify.h"
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/idle_options.h"
+#include "core/analysis/setting_table.h"
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
+#include "core/base/setting_rows.h"
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_file.h"
@@ -134,6 +136,17 @@ Status check_pdf(const std::string& path) {
 
 bool is_session(const std::string& input) {
     return ui::SessionKeeper::isSession(QString::fromStdString(input));
+}
+
+// Of options told beside a session.
+template <class S>
+void warn_beside_session(const std::vector<SettingRow<S>>& rows, const S& told) {
+    for (const SettingRow<S>& row : rows) {
+        if (row.has_part && row.text(told) != row.text(S())) {
+            warn({{DiagnosticKind::option_without_effect,
+                   {row.option(), "a session has settings of its own"}}});
+        }
+    }
 }
 
 Status check_no_session(const std::vector<std::string>& inputs) {
@@ -348,6 +361,9 @@ std::vector<InputPath> recording_files(const GuiRequest& request, const Document
 // without a set its current recording. What the request's title does not tell is that of the
 // session's gyro.
 Result<int> write_session_report(const GuiRequest& request, std::stop_token stop) {
+    warn_beside_session(analysis_settings(), request.settings);
+    warn_beside_session(open_settings(), request.open);
+    warn_beside_session(identify_settings(), request.identify);
     Document document;
     TrackView tracks;
     SessionKeeper session(document, tracks);
