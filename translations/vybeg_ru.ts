@@ -1869,7 +1869,7 @@
     </message>
     <message>
         <source>Nothing is judged in %1 of %2 sets: the table of limits has none for their type of gyro.</source>
-        <translation>Не оценивается наборов: %1 из %2, в таблице допусков нет допусков для их типа гироскопа.</translation>
+        <translation>Наборов без оценки: %1 из %2: в таблице нет допусков для их типа гироскопа.</translation>
     </message>
     <message>
         <source>%1 is in use by another program. The batch waits for it, up to %2 s.</source>
@@ -2159,7 +2159,7 @@
         <translation>При подгонке принято за нуль, так как допуск не задан; что изменилось бы, показывают чувствительности.</translation>
     </message>
     <message>
-        <source>The phasors need no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
+        <source>The recordings show no dependence on the amplitude: it is at most %1 Hz per squared recording unit.</source>
         <translation>Зависимость от амплитуды по записям не нужна: она не больше %1 Гц на квадрат единицы записи.</translation>
     </message>
     <message>
@@ -4712,7 +4712,7 @@
     </message>
     <message>
         <source>orders of the channels</source>
-        <translation>порядок каналов</translation>
+        <translation>порядки каналов</translation>
     </message>
     <message>
         <source>units</source>
@@ -7590,8 +7590,8 @@
         <translation>Сеанс %1 повреждён: в «%2» записано не то, что бывает в сеансе. Восстановите файл из копии.</translation>
     </message>
     <message>
-        <source>The session %1 is damaged: %2 Restore the file from a copy.</source>
-        <translation>Сеанс %1 повреждён: %2 Восстановите файл из копии.</translation>
+        <source>The session %1 cannot be opened: %2 Open it with the version of Vybeg that wrote it, or restore the file from a copy.</source>
+        <translation>Сеанс %1 не открывается: %2 Откройте его той версией Vybeg, которая его записала, или восстановите файл из копии.</translation>
     </message>
 </context>
 <context>

@@ -197,8 +197,15 @@ Result<Identification> identify_phasors(std::span<const PhasorLog> logs,
     begun.settings = settings;
     auto found = TRY(identify_runs(std::move(runs), std::move(begun), job));
     TRY(check_rate(found, logs, names));
+    // With one sign of Y alone the wave of both channels leaves noise.
+    constexpr double at_noise = 1.5;
+    const bool is_wave =
+        found.fit.model == ResonatorModel::structured && found.fit.chi2_per_dof < at_noise;
     for (std::size_t k = logs.size(); k-- > 0;) {
         for (Diagnostic warning : logs[k].warnings) {
+            if (is_wave && warning.kind == DiagnosticKind::phasors_mirrored) {
+                continue;
+            }
             warning.args.insert(warning.args.begin(), names[k]);
             found.fit.warnings.insert(found.fit.warnings.begin(), std::move(warning));
         }

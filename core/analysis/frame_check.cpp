@@ -124,9 +124,7 @@ std::optional<Diagnostic> mirrored_channel(const ChannelRows& c, const ChannelRo
             across += off * off;
         }
         const double angle = std::arg(sum);
-        // Two modes about the reference turn slowly in either sense.
-        const bool slow = std::abs(angle) * static_cast<double>(z.size()) < 2 * std::numbers::pi;
-        if (slow || std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
+        if (std::abs(angle) < certain * std::sqrt(across) / std::norm(sum)) {
             return std::nullopt;
         }
         rates[channel] = angle / (2 * std::numbers::pi * step_s);

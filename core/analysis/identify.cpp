@@ -161,8 +161,10 @@ void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
     }
     for (std::size_t k = 0; k < fit.runs.size(); ++k) {
         RunEstimate& run = fit.runs[k];
-        scale(run.direction_f_hz, relative);
-        scale(run.direction_tau_s, relative);
+        for (Estimate* const number :
+             {&run.direction_f_hz, &run.direction_tau_s, &run.split_sin_hz, &run.drift_hz_per_s}) {
+            scale(*number, relative);
+        }
         if (fit.runs.size() > 1) {
             widen(run.f_offset_hz, digits, found.runs[k].f0_hz);
         }

@@ -25,7 +25,6 @@ constexpr double pi = std::numbers::pi;
 constexpr double usual_window_s = 0.015;
 constexpr double settled = 3;  // delays of the filter, after which its noise is nearly new
 constexpr std::size_t least_windows = 100;
-constexpr double least_correlation = 1e-3;
 
 // Rows relative to f_ref_hz.
 struct LogRows {
@@ -203,10 +202,10 @@ double frequency_behind(double rad, const LogColumn& phase, const LogColumn& fre
     return median(std::move(rates));
 }
 
-// Whether two frequencies differ by more than their digits in a file.
+// Whether two frequencies differ by more than rounding to five digits.
 bool is_another(double hz, double other_hz) {
-    constexpr double digits = 1e-6;
-    return std::abs(hz - other_hz) > digits * other_hz;
+    constexpr double five_digits = 5e-5;
+    return std::abs(hz - other_hz) > five_digits * other_hz;
 }
 
 // The reference of the rows, whose phasors it turns where it moves.
@@ -416,31 +415,6 @@ PhasorRun windows_of_rows(const LogRows& rows, std::size_t count, double step_s)
     return run;
 }
 
-// Correlation of the noise of windows of `count` rows, and the variance of one relative to that of
-// a row.
-std::pair<std::vector<double>, double> correlation_of(const LockIn& filter, std::size_t count,
-                                                      double step_s) {
-    constexpr std::size_t most_lags = 64;
-    std::vector<double> sums;
-    const auto n = static_cast<std::ptrdiff_t>(count);
-    for (std::size_t lag = 0; lag < most_lags; ++lag) {
-        double sum = 0;
-        for (std::ptrdiff_t i = 1 - n; i < n; ++i) {
-            const auto rows = static_cast<double>(static_cast<std::ptrdiff_t>(lag) * n + i);
-            sum += static_cast<double>(n - std::abs(i)) * filter.correlation(rows * step_s);
-        }
-        if (lag > 0 && std::abs(sum) < least_correlation * sums.front()) {
-            break;
-        }
-        sums.push_back(sum);
-    }
-    const double first = sums.front();
-    for (double& sum : sums) {
-        sum /= first;
-    }
-    return {sums, first / static_cast<double>(n * n)};
-}
-
 // Whether the window follows that before without a gap.
 bool goes_on(const PhasorRun& run, std::size_t k) {
     return run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s;
@@ -582,7 +556,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     remove_image(rows.f_ref_hz, rows.time_s, rows.c, rows.d);
     calibrate(signal.calibration, rows);
     const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
-    const auto [settled_correlation, settled_share] = correlation_of(filter, apart, step_s);
+    const auto [settled_correlation, settled_share] = filter.noise_of_means(apart, step_s);
     const double neighbours = settled_correlation.size() > 1 ? settled_correlation[1] : 0;
     const Recurrence recurrence = recurrence_of(settled_run, neighbours);
     if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
@@ -599,7 +573,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     log.rows_per_window = static_cast<std::int64_t>(count);
     log.run = windows_of_rows(rows, count, step_s);
     log.run.two_theta_zero = signal.calibration.two_theta_zero();
-    auto [correlation, share] = correlation_of(filter, count, step_s);
+    auto [correlation, share] = filter.noise_of_means(count, step_s);
     const double sd = recurrence.sd * std::sqrt(share / settled_share);
     // Digits of a file without noise.
     constexpr double least = 1e-15;

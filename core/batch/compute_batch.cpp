@@ -300,16 +300,16 @@ private:
             return {};
         }
         journal_->remove();
-        if (counts.failed + counts.undecided > 0) {
-            events_.warned({{DiagnosticKind::limits_not_kept,
-                             {count_arg(counts.failed), count_arg(counts.undecided),
-                              count_arg(std::ssize(tasks))}}});
-        }
         const auto without = std::ranges::count_if(
             tasks, [](const SetTask& task) { return task.limits && task.limits->empty(); });
         if (without > 0) {
             events_.warned({{DiagnosticKind::limits_missing,
                              {count_arg(without), count_arg(std::ssize(tasks))}}});
+        }
+        if (counts.failed + counts.undecided > 0) {
+            events_.warned({{DiagnosticKind::limits_not_kept,
+                             {count_arg(counts.failed), count_arg(counts.undecided),
+                              count_arg(std::ssize(tasks))}}});
         }
         return {};
     }

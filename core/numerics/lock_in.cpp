@@ -1,5 +1,6 @@
 #include "core/numerics/lock_in.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -28,11 +29,18 @@ void LockIn::take_out(double offset_hz, double step_s, std::span<const double> t
         delay_s() * turn / (1.0 + turn);  // of log response + delay
     const std::complex<double> gain = response(offset_hz);
     const std::vector<std::complex<double>> seen = z;
+    // Over less than a time constant of both sides the difference would be that of the noise.
+    const auto reach = static_cast<std::size_t>(std::max(std::lround(tau_s() / step_s), 1L));
+    const auto goes_on = [&](std::size_t k) { return time_s[k] - time_s[k - 1] <= 1.5 * step_s; };
     for (std::size_t k = 0; k < z.size(); ++k) {
-        const bool after_gap = k == 0 || time_s[k] - time_s[k - 1] > 1.5 * step_s;
-        const bool before_gap = k + 1 == z.size() || time_s[k + 1] - time_s[k] > 1.5 * step_s;
-        const std::size_t from = after_gap ? k : k - 1;
-        const std::size_t to = before_gap ? k : k + 1;
+        std::size_t from = k;
+        std::size_t to = k;
+        while (from > 0 && k - from < reach && goes_on(from)) {
+            --from;
+        }
+        while (to + 1 < z.size() && to - k < reach && goes_on(to + 1)) {
+            ++to;
+        }
         const std::complex<double> rate =
             from == to ? 0 : (seen[to] - seen[from]) / (time_s[to] - time_s[from]);
         z[k] = (seen[k] - slope_s * rate) / gain;
@@ -53,6 +61,30 @@ double LockIn::correlation(double t_s) const {
     }
     const double whole = std::tgamma(2 * order - 1) / std::pow(2.0, 2 * order - 1);
     return std::exp(-x) * sum / whole;
+}
+
+std::pair<std::vector<double>, double> LockIn::noise_of_means(std::size_t count,
+                                                              double step_s) const {
+    constexpr std::size_t most_lags = 64;
+    constexpr double least = 1e-3;
+    std::vector<double> sums;
+    const auto n = static_cast<std::ptrdiff_t>(count);
+    for (std::size_t lag = 0; lag < most_lags; ++lag) {
+        double sum = 0;
+        for (std::ptrdiff_t i = 1 - n; i < n; ++i) {
+            const auto rows = static_cast<double>(static_cast<std::ptrdiff_t>(lag) * n + i);
+            sum += static_cast<double>(n - std::abs(i)) * correlation(rows * step_s);
+        }
+        if (lag > 0 && std::abs(sum) < least * sums.front()) {
+            break;
+        }
+        sums.push_back(sum);
+    }
+    const double first = sums.front();
+    for (double& sum : sums) {
+        sum /= first;
+    }
+    return {sums, first / static_cast<double>(n * n)};
 }
 
 }  // namespace vybeg

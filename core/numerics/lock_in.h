@@ -1,7 +1,9 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
@@ -26,6 +28,10 @@ struct LockIn {
     // Correlation of white noise behind the filter, 1 at t = 0:
     //     integral of s^(p-1) (s + x)^(p-1) e^(-2s-x) ds over that of x = 0, x = |t| / tau.
     double correlation(double t_s) const;
+
+    // Correlation of the noise of means of `count` rows each, `step_s` apart, by their distance in
+    // means, and the variance of one relative to that of a row.
+    std::pair<std::vector<double>, double> noise_of_means(std::size_t count, double step_s) const;
 
     friend bool operator==(const LockIn&, const LockIn&) = default;
 };

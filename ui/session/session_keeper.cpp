@@ -170,11 +170,11 @@ bool SessionKeeper::openSession(const QString& path) {
         Error error = session.error();
         error.where = path.toStdString();
         fail([path, error] {
-            const QString reason = errorText(error);  // of a setting without the file
-            return reason.contains(path)
-                       ? reason
-                       : tr("The session %1 is damaged: %2 Restore the file from a copy.")
-                             .arg(path, reason);
+            return error.code == ErrorCode::setting_invalid  // which does not name the file
+                       ? tr("The session %1 cannot be opened: %2 Open it with the version of Vybeg "
+                            "that wrote it, or restore the file from a copy.")
+                             .arg(path, errorText(error))
+                       : errorText(error);
         });
         return false;
     }

@@ -117,8 +117,10 @@ void HelpView::findNext() {
             return;
         }
     }
-    QToolTip::showText(wanted_->mapToGlobal(wanted_->rect().bottomLeft()),
-                       tr("No page has “%1”.").arg(text.toHtmlEscaped()), wanted_);
+    QToolTip::showText(
+        wanted_->mapToGlobal(wanted_->rect().bottomLeft()),
+        QStringLiteral("<qt>%1</qt>").arg(tr("No page has “%1”.").arg(text.toHtmlEscaped())),
+        wanted_);
 }
 
 void HelpView::retranslate() {

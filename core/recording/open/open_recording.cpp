@@ -181,8 +181,9 @@ std::optional<double> gap_between(const Recording& piece, const Recording& next)
         constexpr double most_s = 3600;  // of a gap about midnight, where times of day begin anew
         const double gap_s = *next.first_time_s - *piece.first_time_s - piece.seconds();
         const double of_day_s = std::remainder(gap_s, day_s);
-        const bool anew =
-            gap_s < -day_s / 2 && of_day_s < most_s && std::round(of_day_s * piece.rate_hz) >= 0;
+        const bool of_day = *next.first_time_s >= 0 && *piece.first_time_s < day_s &&
+                            *next.first_time_s < *piece.first_time_s && gap_s > -1.5 * day_s;
+        const bool anew = of_day && of_day_s < most_s && std::round(of_day_s * piece.rate_hz) >= 0;
         return anew ? of_day_s : gap_s;
     }
     const auto start = parse_clock(piece.start);

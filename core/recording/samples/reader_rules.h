@@ -28,7 +28,7 @@ Error too_few_channels(const FileBytes& file, int found);
 
 // The error of a file that holds phasors of a phasemeter or a lock-in: holds_log.
 Error holds_phasors(const FileBytes& file);
-// That of a file of a_A, a_B and 2theta_A over time, as a track is.
+// That of a file of the wave over time, as a track is: a, b and theta.
 Error holds_waves(const FileBytes& file);
 
 // Checks that both chosen channels exist among the `found` channels of the file. Errors:

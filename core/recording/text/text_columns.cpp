@@ -215,8 +215,10 @@ private:
             format_.clock_from_s = at(candidate).clock_from_s;
         } else {
             constexpr double day_s = 86400;
-            const double usual = unit.empty() && counts_days(candidate) ? day_s : 1;
-            format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(usual));
+            const bool days = !unit_said && unit.empty() && counts_days(candidate);
+            format_.time_unit_s = choice_.time_unit_s.value_or(seconds_per(unit).value_or(1));
+            format_.own_time_unit_s = format_.time_unit_s;
+            format_.time_unit_s *= days ? day_s : 1;
             if (!unit_said && unit.empty() && counts_other(candidate)) {
                 format_.unknown_time_unit = name(candidate).unit;
             }
@@ -238,7 +240,7 @@ private:
         return column == format_.time_column ? format_.time_unit_s
                : at(column).is_clock()
                    ? 1
-                   : seconds_per(time_unit(name(column))).value_or(format_.time_unit_s);
+                   : seconds_per(time_unit(name(column))).value_or(format_.own_time_unit_s);
     }
 
     // The same times at each row but for a thousandth of a step and the digits of one.

@@ -20,10 +20,11 @@ struct TextFormat {
     std::int64_t lines_to_skip = 0;    // lines above the first row of numbers
     std::vector<std::string> above{};  // what the lines above it begin with
     int columns = 0;
-    int time_column = -1;       // from 0; -1: none
-    int counter_column = -1;    // from 0: numbers of the rows, neither time nor channel; -1: none
-    double time_unit_s = 1;     // seconds per unit of the time column
-    int header_lines_used = 0;  // of the skipped lines, those that the names and units came from
+    int time_column = -1;        // from 0; -1: none
+    int counter_column = -1;     // from 0: numbers of the rows, neither time nor channel; -1: none
+    double time_unit_s = 1;      // seconds per unit of the time column
+    double own_time_unit_s = 1;  // of other time columns, where they name none
+    int header_lines_used = 0;   // of the skipped lines, those that the names and units came from
     std::vector<Channel> headings;     // of each column, empty where the file does not tell
     std::vector<int> no_channels{};    // columns beside these that hold no samples, from 0
     std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words

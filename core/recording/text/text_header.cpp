@@ -106,22 +106,15 @@ std::optional<NumberText> number_at_start(std::string_view text, char group) {
 // or a step between samples of no whole rate: 0.000104 s.
 double written_relative_sd(std::string_view number, double value, Meaning meaning, double hz) {
     const bool exponent = number.find_first_of("eE") != std::string_view::npos;
-    const bool point = number.find('.') != std::string_view::npos;
-    if (!exponent && !point) {
+    if (!exponent && number.find('.') == std::string_view::npos) {
         return 0;
     }
-    constexpr int digits_of_a_short_number = 6;
-    constexpr double least_without_exponent = 1e-4;  // a number below it has its places fixed
-    constexpr double whole = 1e-9;                   // relative
     const NumberDigits digits = digits_of(number);
+    const bool cut = meaning == Meaning::step && digits.significant >= 3 &&
+                     std::abs(hz - std::round(hz)) > 1e-9 * hz;
+    const bool fixed = cut || (!exponent && (number.back() == '0' || std::abs(value) < 1e-4));
     const double last = std::pow(10.0, -digits.decimals);
-    const bool of_no_whole_rate =
-        meaning == Meaning::step && std::abs(hz - std::round(hz)) > whole * hz;
-    const bool fixed =
-        of_no_whole_rate ||
-        (!exponent && (number.back() == '0' || std::abs(value) < least_without_exponent));
-    const double sixth =
-        std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits_of_a_short_number);
+    const double sixth = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
     return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
 }
 

@@ -265,7 +265,7 @@ Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
     if (chosen.time != format.time_column) {
         used.time_column = chosen.time;
         used.time_unit_s =
-            seconds_per(time_unit(format.heading(chosen.time))).value_or(format.time_unit_s);
+            seconds_per(time_unit(format.heading(chosen.time))).value_or(format.own_time_unit_s);
     }
     return find_table(file, used, chosen);
 }

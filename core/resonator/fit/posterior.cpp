@@ -12,8 +12,8 @@
 namespace vybeg {
 namespace {
 
-// R with R R^T the inverse of a positive matrix. Eigenvalues below 1e-14 of the matrix are raised
-// to that value, so that the inverse is huge, not infinite.
+// R with R R^T the inverse of a positive matrix. Where it is nearly singular, eigenvalues below
+// 1e-14 of it are raised to that value, so that the inverse is huge, not infinite.
 Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix) {
     constexpr double clear_pivot = 1e-5;  // its square is far above 1e-14
     const Eigen::VectorXd unit = to_unit_diagonal(matrix);

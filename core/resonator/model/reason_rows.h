@@ -52,11 +52,11 @@ ROW(as_given,
 ROW(held, VYBEG_MESSAGE("Reason",
                         "Taken as zero in the fit, because no tolerance is given for it; the "
                         "sensitivities say what it would change."))
-// args: limit, unit. The phasors need no dependence on the amplitude.
+// args: limit, unit. A dependence on the amplitude is within its uncertainty.
 ROW(not_nonlinear,
     VYBEG_MESSAGE("Reason",
-                  "The phasors need no dependence on the amplitude: it is at most %1 Hz per "
-                  "squared recording unit."))
+                  "The recordings show no dependence on the amplitude: it is at most %1 Hz "
+                  "per squared recording unit."))
 // a drift is indistinguishable from the motion in this recording
 ROW(drift_not_seen,
     VYBEG_MESSAGE("Reason",

@@ -134,9 +134,11 @@ private:
             std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(pair_covariance(first))
                           .eigenvalues()[1]);
         const double by_errors = set_.moved.middleRows(p_.place_of(first), 2).norm();
+        const double by_spread = set_.scattered.middleRows(p_.place_of(first), 2).norm();
         const Reason within{
             ReasonCode::within_noise,
-            {number_arg(length + limit_sd * std::hypot(most, by_errors), 3), unit_arg(unit)}};
+            {number_arg(length + limit_sd * std::hypot(most, by_errors, by_spread), 3),
+             unit_arg(unit)}};
         size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
         axis_out = length < std::max(axis_needs, set_.split_needs) * most
                        ? Estimate{.reason = within}

@@ -39,9 +39,11 @@ Conformity conformity(const Estimate& estimate, const ParameterLimit& limit) {
     double least = estimate.value - half;
     double most = estimate.value + half;
     if (estimate.reason.code == ReasonCode::within_noise && !estimate.reason.args.empty()) {
-        // The size of a difference that is too small to be seen.
+        // The size of a difference that is too small to be seen; the reason has three digits.
+        constexpr double half_a_digit = 5e-3;
         least = 0;
-        most = parse_number(estimate.reason.args.front().text).value_or(std::nan(""));
+        most = parse_number(estimate.reason.args.front().text).value_or(std::nan("")) *
+               (1 + half_a_digit);
     } else if (!estimate.given()) {
         return Conformity::unknown;
     }

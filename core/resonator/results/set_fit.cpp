@@ -45,27 +45,25 @@ std::vector<ScaledRun> whitened_runs(std::span<const PhasorRun> runs, double sca
     return scaled;
 }
 
-// The runs with about `windows` of them each.
-std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windows) {
-    std::vector<PhasorRun> merged;
-    for (const PhasorRun& run : runs) {
-        merged.push_back(merge_windows(run, windows));
-    }
-    return merged;
-}
-
 // Windows of a run that are enough: their noise is nearly new from one to the next, as the tests of
 // what happened and of what belongs together take it for white.
 std::size_t enough_windows_of(const PhasorRun& run) {
-    constexpr double apart = 2;  // memories of the noise
     constexpr std::size_t least = 24;
-    double memory = 1;  // windows
+    double apart = 1;  // windows: twice what the noise remembers
     for (std::size_t lag = 1; lag < run.noise_correlation.size(); ++lag) {
-        memory += 2 * std::max(run.noise_correlation[lag], 0.0);
+        apart += 4 * std::max(run.noise_correlation[lag], 0.0);
     }
-    const double separate = static_cast<double>(run.time_s.size()) / (apart * memory);
-    return memory > 1 ? std::clamp(static_cast<std::size_t>(separate), least, enough_windows)
-                      : enough_windows;
+    const double separate = static_cast<double>(run.time_s.size()) / apart;
+    return std::clamp(static_cast<std::size_t>(separate), least, enough_windows);
+}
+
+// The runs with about `windows` of them each, or those that are enough where these are more.
+std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windows) {
+    std::vector<PhasorRun> merged;
+    for (const PhasorRun& run : runs) {
+        merged.push_back(merge_windows(run, std::max(windows, enough_windows_of(run))));
+    }
+    return merged;
 }
 
 // Rates of the M that has these modes; empty for modes of one shape.
@@ -109,6 +107,13 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
     problem_.priors = structured_priors(scaled_, problem_.layout, task_.options.tolerance);
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
+    }
+}
+
+void SetFit::start_at(Eigen::VectorXd start, const std::vector<RunDeviation>& deviation) {
+    start_ = std::move(start);
+    for (std::size_t k = 0; k < deviation.size(); ++k) {
+        scaled_[k].deviation = deviation[k];
     }
 }
 
@@ -486,7 +491,8 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
 }
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
-                                   Effort effort, const Eigen::VectorXd& start) {
+                                   Effort effort, const Eigen::VectorXd& start,
+                                   const std::vector<RunDeviation>& deviation) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     struct Solution {
@@ -496,7 +502,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     std::vector<Eigen::Matrix2d> whitenings;
     const auto solve_once = [&](const std::vector<PhasorRun>& runs) {
         Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, effort), {}};
-        out.set->start_at(start);
+        out.set->start_at(start, deviation);
         out.needed = out.set->solve();
         return out;
     };
@@ -511,16 +517,16 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
             std::ranges::all_of(whitenings, [](const auto& one) { return one.isIdentity(0); });
         return white ? std::move(out) : solve_once(runs);
     };
-    std::vector<PhasorRun> runs;
-    std::size_t enough = 0;
-    for (const PhasorRun& run : good) {
-        enough = std::max(enough, enough_windows_of(run));
-        runs.push_back(merge_windows(run, enough_windows_of(run)));
-    }
+    const std::vector<PhasorRun> runs = merged(good, 0);
+    const auto are_enough = [&good](double windows) {
+        return std::ranges::all_of(good, [windows](const PhasorRun& run) {
+            return !(windows > static_cast<double>(enough_windows_of(run)));
+        });
+    };
     Solution coarse = solve(runs);
     const double windows =
         std::min(std::max(coarse.needed.by_motion, coarse.needed.by_line), most_windows);
-    if (!(windows > static_cast<double>(enough)) || task.job.cancelled()) {
+    if (are_enough(windows) || task.job.cancelled()) {
         return std::move(coarse.set);
     }
     const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
@@ -528,7 +534,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         return std::move(coarse.set);
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
-    const bool by_motion = coarse.needed.by_motion > static_cast<double>(enough);
+    const bool by_motion = !are_enough(coarse.needed.by_motion);
     Solution fine = solve(finer);
     return by_motion || fine.set->explains_as_much_as(*coarse.set) ? std::move(fine.set)
                                                                    : std::move(coarse.set);

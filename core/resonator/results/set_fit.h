@@ -21,11 +21,11 @@
 
 namespace vybeg {
 
-// A trial of a break takes neither further starts nor the free model, and asks not whether the runs
-// belong together.
+// A trial of a break takes neither further starts nor the free model, and does not examine whether
+// the runs belong together.
 enum class Effort { whole, trial };
 
-// The usual unit of the phasors of a set, recording units; 0 without a wave.
+// Largest amplitude of a channel, recording units; 0 without a wave.
 double largest_amplitude(std::span<const PhasorRun> runs);
 
 // What all fits of a set share. `scale`: unit of the phasors.
@@ -42,8 +42,8 @@ public:
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
            std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort);
 
-    // Parameters near the most likely ones, if they are known.
-    void start_at(Eigen::VectorXd start) { start_ = std::move(start); }
+    // Parameters near the most likely ones, if they are known, and how much the runs differ.
+    void start_at(Eigen::VectorXd start, const std::vector<RunDeviation>& deviation);
 
     // The present parameters of a set with one break more, whose parameters are zero.
     Eigen::VectorXd with_room_for(const FittedBreak& found) const;
@@ -154,10 +154,10 @@ private:
     std::vector<Diagnostic> warnings_;
 };
 
-// The set with as many windows of a run as its solution needs; it refers to the runs. `start`: as
-// of SetFit.
+// The set with as many windows of a run as its solution needs; it refers to the runs. `start` and
+// `deviation`: as of SetFit, of a trial.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const FitTask& task,
-                                   Effort effort = Effort::whole,
-                                   const Eigen::VectorXd& start = {});
+                                   Effort effort = Effort::whole, const Eigen::VectorXd& start = {},
+                                   const std::vector<RunDeviation>& deviation = {});
 
 }  // namespace vybeg

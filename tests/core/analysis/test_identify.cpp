@@ -50,8 +50,8 @@ class TestIdentify : public QObject {
     Q_OBJECT
 
 private slots:
-    // What a file's digits leave open of the sample rate is open of every frequency.
-    void a_clock_of_few_digits_widens_the_frequencies_alone() {
+    // What a file's digits leave open of the sample rate is open of every frequency, rate and time.
+    void a_clock_of_few_digits_widens_what_it_counts() {
         std::vector<Recording> runs = two_runs();
         const Result<Identification> exact = identify(runs, exact_channels(), {});
         runs[1].rate_relative_sd = 1e-5;
@@ -71,8 +71,12 @@ private slots:
         }
         QCOMPARE(open->runs[0].wave.f_hz.u, exact->runs[0].wave.f_hz.u);
         VYBEG_CLOSE_RATIO(open->runs[1].wave.f_hz.u, wide, 0.01);
-        QCOMPARE(open->fit.resonator.split_hz.uncertainty(),
-                 exact->fit.resonator.split_hz.uncertainty());
+        const Estimate& split = open->fit.resonator.split_hz;
+        VYBEG_CLOSE_RATIO(
+            split.uncertainty(),
+            std::hypot(exact->fit.resonator.split_hz.uncertainty(), 1e-5 * split.value), 1e-6);
+        QCOMPARE(open->fit.resonator.theta_w_rad.uncertainty(),
+                 exact->fit.resonator.theta_w_rad.uncertainty());
         QCOMPARE(open->fit.resonator.f_mean_hz.sd, exact->fit.resonator.f_mean_hz.sd);
     }
 

@@ -107,7 +107,7 @@ private slots:
         QJsonObject json = jsonOf(saved("sound"));
         json["tolerance"] = "nOne";
         window_->files().open({home_.file("wrong.vybeg", QJsonDocument(json).toJson())});
-        QVERIFY2(messages().contains("wrong.vybeg is damaged") && messages().contains("nOne"),
+        QVERIFY2(messages().contains("wrong.vybeg cannot be opened") && messages().contains("nOne"),
                  qPrintable(messages()));
         QCOMPARE(session().path(), home_.path("sound.vybeg"));
     }

@@ -424,7 +424,7 @@ private slots:
         QCOMPARE(find("LGraph2"), QString("LGraph2"));  // the next, or the first again
         QCOMPARE(find("Cramér"), QString("Cramér"));
         find("no such words anywhere");
-        QCOMPARE(QToolTip::text(), QString("No page has “no such words anywhere”."));
+        QVERIFY(QToolTip::text().contains("No page has “no such words anywhere”."));
     }
 
     void theme_and_language_are_kept_for_the_next_session() {
