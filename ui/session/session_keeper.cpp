@@ -314,17 +314,20 @@ void SessionKeeper::finishWhenComputed() {
     emit viewRestored(wanted_.view);
 }
 
-// The waves, plots and reports of an identification are not kept.
-void SessionKeeper::identifyAgain() {
+bool SessionKeeper::isComplete(const RecordingSet& set) const {
+    const auto is_of_set = [&set](const ClosedRecording& absent) {
+        return std::ranges::count(absent.sets, set.id) > 0;
+    };
     const auto is_open = [this](RecordingId id) {
         return document_.recording(id)->recording.has_value();
     };
+    return std::ranges::none_of(absent_, is_of_set) && std::ranges::all_of(set.recordings, is_open);
+}
+
+// The waves, plots and reports of an identification are not kept.
+void SessionKeeper::identifyAgain() {
     for (const RecordingSet& set : document_.sets().all()) {
-        const bool complete = std::ranges::none_of(absent_, [&set](const ClosedRecording& absent) {
-            return std::ranges::count(absent.sets, set.id) > 0;
-        });
-        if (set.kept_up_to_date && complete && hasMembers(set) &&
-            std::ranges::all_of(set.recordings, is_open)) {
+        if (set.kept_up_to_date && isComplete(set) && hasMembers(set)) {
             document_.sets().identifySet(set.id);
         }
     }

@@ -50,6 +50,8 @@ public:
     bool isOpening() const { return opening_; }
     // Offers the sessions of programs that did not end as they should.
     void offerAbandoned();
+    // Whether all recordings of a set are there and open.
+    bool isComplete(const RecordingSet& set) const;
     // Opens a recording that was not found in the place of one of the session.
     void supply(std::size_t absent, const QString& path);
     // The window closes: waits for what is being saved; the backup is not needed any more.

@@ -50,6 +50,15 @@ private slots:
         for (const QString option : {"--kappa", "--channels", "--tolerance"}) {
             QVERIFY2(idle.err.contains(option + " has no effect"), qPrintable(idle.err));
         }
+        const Outcome lacking =
+            run({home_.file("lacking.vybeg", R"({"vybeg_session": 1, "recordings": [
+                     {"path": "of_session.wav"}, {"path": "no.wav"}],
+                     "sets": [{"name": "S", "recordings": [0, 1]}]})"),
+                 "--report", home_.path("lacking.pdf")});
+        QCOMPARE(lacking.status, 2);
+        QVERIFY2(lacking.err.contains("a recording of the set S is not there"),
+                 qPrintable(lacking.err));
+        QVERIFY(!QFile::exists(home_.path("lacking.pdf")));
         const Outcome broken = run({home_.file("broken.vybeg", "{"), "--report", report});
         QCOMPARE(broken.status, 3);
         QVERIFY2(broken.err.contains("not a session that can be read"), qPrintable(broken.err));
