@@ -3695,6 +3695,10 @@
         <translation>частота генератора меняется от %1 до %2 (столбец %3), опорная частота не постоянна: выберите --phasors common</translation>
     </message>
     <message>
+        <source>logs are not joined: put their rows into one file, or read each as a log of its own</source>
+        <translation>журналы не соединяются: сложите их строки в один файл или читайте каждый как отдельный журнал</translation>
+    </message>
+    <message>
         <source>column %1 says that the reference is %2, and --f-ref that it is %3: leave --f-ref out, or correct it</source>
         <translation>в столбце %1 опорная частота %2, а --f-ref задаёт %3: уберите --f-ref или исправьте</translation>
     </message>

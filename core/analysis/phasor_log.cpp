@@ -7,6 +7,7 @@
 #include "core/numerics/statistics.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/reader_rules.h"
+#include "core/recording/samples/vocabulary.h"
 
 #include <Eigen/Dense>
 
@@ -58,7 +59,12 @@ Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptio
                               const LogChoice& choice, const SignalSettings& signal,
                               const std::vector<ColumnRole>& roles, const JobControl& job) {
     const auto wishes = TRY(column_wishes(choice.names, roles));
-    return read_log_columns(path, options, wishes, signal, job);
+    auto table = TRY(read_log_columns(path, options, wishes, signal, job));
+    for (LogColumn& column : table.columns) {
+        const double hz = column.role == "F" ? hertz_per(column.unit).value_or(1) : 1;
+        std::ranges::for_each(column.values, [hz](double& value) { value *= hz; });
+    }
+    return table;
 }
 
 // Brings Y and both columns of D to the unit of X of C.

@@ -134,6 +134,34 @@ private slots:
                  read.err);
     }
 
+    // Seconds since 1970, and a reference in kilohertz.
+    void a_clock_may_count_from_an_epoch() {
+        const QByteArray from_zero = log_of_run(0, {4, 30, 150}, Frame::fixed);
+        write("zero.csv", from_zero);
+        const QJsonObject usual = json_of(identify_fixed({"zero.csv"}, {"--lock-in", "4,30Hz"}));
+        QByteArray log = "t (s),Xc,Yc,Xd,Yd,F (kHz)\n";
+        for (const QByteArray& line : from_zero.split('\n').mid(1)) {
+            const qsizetype comma = line.indexOf(',');
+            if (comma > 0) {
+                log += QByteArray::number(1.7e9 + line.left(comma).toDouble(), 'f', 6) +
+                       line.mid(comma) + ",5.3001\n";
+            }
+        }
+        write("epoch.csv", log);
+        const Outcome found = run(
+            "identify -o - epoch.csv --phasors fixed --y-sign + --amplitude peak --lock-in 4,30");
+        const QJsonObject wave = json_of(found)["runs"][0].toObject()["wave"].toObject();
+        const QJsonObject as_usual = usual["runs"][0].toObject()["wave"].toObject();
+        for (const char* name : {"f_hz", "tau_s"}) {
+            const double value = as_usual[name].toObject()["value"].toDouble();
+            VYBEG_WITHIN(wave[name].toObject()["value"].toDouble(), value, 1e-6 * value);
+        }
+        QCOMPARE(
+            run("identify epoch.csv --join zero.csv --phasors fixed --y-sign + --amplitude peak")
+                .status,
+            2);
+    }
+
     void the_phase_of_a_moving_oscillator_is_not_guessed() {
         QByteArray log = log_of_run(0, {4, 30, 150}, Frame::common_frequency);
         QList<QByteArray> lines = log.split('\n');

@@ -447,8 +447,30 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
     return wishes;
 }
 
+namespace {
+
+// The wave at zero of a clock that counts from an epoch is none: such times count from the first
+// row.
+void count_from_start(LogTable& table) {
+    constexpr double most = 10;  // lengths of the log before it
+    std::vector<double>& times = table.time_s;
+    const double first = times.empty() ? 0 : times.front();
+    if (!times.empty() && std::abs(first) > most * (times.back() - first)) {
+        table.begun_s += first;
+        std::ranges::for_each(times, [first](double& t) { t -= first; });
+    }
+}
+
+}  // namespace
+
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job) {
+    if (!options.join.empty()) {
+        return refused_value("--join", options.join.front(),
+                             words(VYBEG_MESSAGE("Words",
+                                                 "logs are not joined: put their rows into one "
+                                                 "file, or read each as a log of its own")));
+    }
     const auto packed = TRY(FileBytes::open(path));
     const auto file = TRY(unpacked(packed));
     const auto head = TRY(file_head(*file));
@@ -456,7 +478,9 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     const auto array = TRY(options.text ? ArrayTable() : find_array(file, head, job));
     const bool is_array = !array.headings.empty();
     if (!is_array && !options.text && format && format->has_variables) {
-        return read_variables(path, options, wishes, job);
+        auto table = TRY(read_variables(path, options, wishes, job));
+        count_from_start(table);
+        return table;
     }
     if (!is_array && !options.text && (!format || !format->is_text())) {
         return file->error(ErrorCode::no_log);
@@ -468,6 +492,7 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
         const double before = std::exchange(last, table.time_s[row]);
         return table.time_s[row] != before;
     });
+    count_from_start(table);
     return table;
 }
 
