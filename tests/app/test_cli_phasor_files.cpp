@@ -200,52 +200,6 @@ private slots:
         VYBEG_WITHIN(axis["value"].toDouble(), 0.2, 3 * axis["sd"].toDouble());
     }
 
-    // Rows much faster than the filter repeat its noise: half of such logs had a knock or a step.
-    void rows_within_the_memory_of_a_filter_raise_no_word() {
-        for (int set = 0; set < 6; ++set) {
-            const QString filter = set % 2 == 0 ? "8,0.7" : "2,1";
-            QStringList logs;
-            for (int k = 0; k < 2; ++k) {
-                const QString name = QString("memory%1").arg(k);
-                QCOMPARE(run({"simulate",
-                              "-o",
-                              name + ".npy",
-                              "--seconds",
-                              "20",
-                              "--rate",
-                              "10000",
-                              "--f0",
-                              "3010",
-                              "--split",
-                              "0.02",
-                              "--theta-w",
-                              "0.3",
-                              "--tau",
-                              "60",
-                              "--noise",
-                              "0.003",
-                              "--seed",
-                              QString::number(10 * set + k),
-                              "--two-theta-A",
-                              QString::number(0.1 + 0.37 * set + k * pi / 4),
-                              "--lock-in",
-                              filter + ",50"})
-                             .status,
-                         0);
-                logs << name + ".phasors.csv";
-            }
-            const Outcome found = run("identify -o - --phasors fixed --y-sign + --amplitude peak",
-                                      logs + QStringList{"--lock-in", filter});
-            for (const auto& warning : json_of(found)["warnings"].toArray()) {
-                QCOMPARE(warning.toObject()["kind"].toString(), QString("set-too-small"));
-            }
-            const Outcome refused =
-                run("identify --phasors fixed --y-sign + --amplitude peak --f-ref 3011", logs);
-            QCOMPARE(refused.status, 2);
-            QVERIFY2(refused.err.contains("says that the reference is 3010"), refused.err);
-        }
-    }
-
     // Rows that are missing, twice there, or in other units change the noise of no other row.
     void missing_rows_and_unlike_units() {
         const QByteArray log = log_of_run(0, {4, 30, 150}, Frame::fixed);
