@@ -4315,6 +4315,10 @@
         <translation>гироскоп</translation>
     </message>
     <message>
+        <source>the type of the gyro</source>
+        <translation>тип гироскопа</translation>
+    </message>
+    <message>
         <source>the bias voltage</source>
         <translation>напряжение смещения</translation>
     </message>

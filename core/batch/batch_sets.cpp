@@ -62,12 +62,23 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
     return std::filesystem::exists(path, unknown) ? path.string() : "";
 }
 
-// Value of the list's column gyro_type for a set; empty: not told.
-std::string gyro_type_of(const MeasurementList& list, const MeasurementSet& set) {
-    const auto column = std::ranges::find(list.other_columns, "gyro_type");
-    return column == list.other_columns.end()
-               ? ""
-               : other_of(set, static_cast<std::size_t>(column - list.other_columns.begin()));
+// Value of the list's column gyro_type for a set; empty: not told. Errors: conditions_differ.
+Result<std::string> gyro_type_of(const MeasurementSet& set) {
+    std::string type;
+    for (const RecordingRef& recording : set.recordings) {
+        for (const auto& [column, field] : recording.others) {
+            if (column != "gyro_type" || field.empty() || lower_text(field) == lower_text(type)) {
+                continue;
+            }
+            if (!type.empty()) {
+                return Error{ErrorCode::conditions_differ,
+                             set.name,
+                             {words(VYBEG_MESSAGE("Words", "the type of the gyro")), type, field}};
+            }
+            type = field;
+        }
+    }
+    return type;
 }
 
 constexpr const char* no_file = "-";  // its stamp
@@ -296,7 +307,8 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
             *file = path.string();
         }
         if (!request.limits.empty()) {
-            task.limits = limits_of_type(limits, gyro_type_of(list, set));
+            const auto type = TRY(gyro_type_of(set));
+            task.limits = limits_of_type(limits, type);
         }
         tasks.push_back(std::move(task));
     }

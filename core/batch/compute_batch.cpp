@@ -174,8 +174,19 @@ private:
         std::optional<Error> told;
         std::vector<Diagnostic> warned;
         std::int64_t sets = 0;
-        while (!stop_.stop_requested()) {
-            const auto list = TRY(folder.look());
+        const auto tell = [&](const std::optional<Error>& fault) {
+            if (fault != std::exchange(told, fault) && fault && events_.failed) {
+                events_.failed(*fault);
+            }
+        };
+        for (bool seen = false; !stop_.stop_requested(); seen = true) {
+            const Result<MeasurementList> looked = folder.look();
+            if (!looked && seen) {  // a folder of the network may be away for a while
+                tell(looked.error());
+                pause(stop_, FolderWatch::pause_s);
+                continue;
+            }
+            const auto list = TRY(looked);
             TRY(check_outputs(
                 {{"-o", request_.output, ""}, {"--database", request_.database, ""}},
                 {{folder.list().string(),
@@ -188,12 +199,7 @@ private:
                 events_.warned(fresh);
                 std::ranges::copy(fresh, std::back_inserter(warned));
             }
-            if (folder.fault() != told) {
-                told = folder.fault();
-                if (told && events_.failed) {
-                    events_.failed(*told);
-                }
-            }
+            tell(folder.fault());
             sets = std::ssize(list.sets);
             TRY(list.sets.empty() ? Status() : compute(list));
             pause(stop_, FolderWatch::pause_s);

@@ -89,6 +89,15 @@ private slots:
         }
     }
 
+    void a_set_of_two_types_has_no_limits() {
+        QVERIFY(put(path("two.csv"), "set,file,gyro_type\ns1,a.wav,M1\ns1,b.wav,M2\n"));
+        QVERIFY(put(path("limits.csv"), "parameter,least\ntau_s,1\n"));
+        const Outcome refused = run("batch two.csv -o p.csv --limits limits.csv");
+        QCOMPARE(refused.status, 4);
+        QVERIFY2(refused.err.contains("the type of the gyro (M1 and M2)"), refused.err);
+        QCOMPARE(run("batch two.csv -o p.csv").status, 0);
+    }
+
     void passports_of_a_batch_compare_with_a_later_one() {
         QVERIFY(put(path("months.csv"),
                     "set,file,gyro,temperature_c,date\ns1,a.wav,P1,22,2026-03-01\ns1,b.wav,P1,22,\n"
@@ -264,6 +273,25 @@ private slots:
         QCOMPARE(run("batch --watch none -o x.csv").status, 3);
         QCOMPARE(run("batch --watch inbox -o -").status, 2);
         QCOMPARE(run("batch --watch inbox list.csv -o x.csv").status, 2);
+    }
+
+    void a_watched_folder_may_be_away_for_a_while() {
+        QVERIFY(QDir(folder_.path()).mkdir("net"));
+        QVERIFY(QFile::copy(path("a.wav"), path("net/one.wav")));
+        QProcess watching;
+        start(watching, {"batch", "--watch", "net", "-o", "net.csv", "--quiet"});
+        QVERIFY(watching.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(file("net.csv").contains("one.wav"), 30000);
+        QVERIFY(QFile::rename(path("net"), path("away")));
+        QByteArray told;
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (told += watching.readAllStandardError()).contains("there is no such file"), 30000);
+        QVERIFY(QFile::copy(path("b.wav"), path("away/two.wav")));
+        QVERIFY(QFile::rename(path("away"), path("net")));
+        QTRY_VERIFY_WITH_TIMEOUT(file("net.csv").contains("two.wav"), 30000);
+        ::kill(static_cast<pid_t>(watching.processId()), SIGINT);
+        QVERIFY(watching.waitForFinished());
+        QCOMPARE(watching.exitCode(), 130);
     }
 
     // The file of channel D and the table of limits are no sets.
