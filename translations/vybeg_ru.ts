@@ -3695,6 +3695,10 @@
         <translation>частота генератора меняется от %1 до %2 (столбец %3), опорная частота не постоянна: выберите --phasors common</translation>
     </message>
     <message>
+        <source>the clockbase in the header beside it makes %1 rows a second</source>
+        <translation>clockbase в файле заголовка рядом даёт %1 строк в секунду</translation>
+    </message>
+    <message>
         <source>logs are not joined: put their rows into one file, or read each as a log of its own</source>
         <translation>журналы не соединяются: сложите их строки в один файл или читайте каждый как отдельный журнал</translation>
     </message>

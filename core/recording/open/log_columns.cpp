@@ -189,9 +189,18 @@ Status count_ticks(const FileBytes& file, const OpenOptions& options, LogTable& 
     if (step < 1 || std::ranges::any_of(t, [](double tick) { return tick != std::floor(tick); })) {
         return {};
     }
-    const auto clockbase = options.rate_hz ? std::nullopt : clockbase_beside(file.path());
+    const auto clockbase = clockbase_beside(file.path());
     if (!clockbase && !options.rate_hz) {
         return file.error(ErrorCode::rate_unknown);
+    }
+    constexpr double agreement = 1e-3;
+    if (clockbase && options.rate_hz &&
+        std::abs(*options.rate_hz * step / *clockbase - 1) > agreement) {
+        return refused_value("--rate", short_text(*options.rate_hz),
+                             words(VYBEG_MESSAGE("Words",
+                                                 "the clockbase in the header beside it makes "
+                                                 "%1 rows a second"),
+                                   {number_arg(*clockbase / step, 7)}));
     }
     const double tick_s = clockbase ? 1 / *clockbase : 1 / (step * *options.rate_hz);
     table.begun_s = t.front() * tick_s;
