@@ -271,7 +271,12 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
     if (!same_file && !c.start.empty() && !d.start.empty() && c.start != d.start) {
         return no_parts(c, name_d, VYBEG_MESSAGE("Words", "starts"), c.start, d.start);
     }
-    const double delay_s = c.first_time_s && d.first_time_s ? *d.first_time_s - *c.first_time_s : 0;
+    double delay_s = c.first_time_s && d.first_time_s ? *d.first_time_s - *c.first_time_s : 0;
+    constexpr double day_s = 86400;
+    if (std::abs(delay_s) > day_s / 2 && std::min(*c.first_time_s, *d.first_time_s) >= 0 &&
+        std::max(*c.first_time_s, *d.first_time_s) < day_s) {
+        delay_s = std::remainder(delay_s, day_s);  // times of day, about midnight
+    }
     if (delay_s >= c.seconds() || -delay_s >= d.seconds()) {
         return no_parts(c, name_d, VYBEG_MESSAGE("Words", "first times"),
                         number_arg(*c.first_time_s, 9, "s"), number_arg(*d.first_time_s, 9, "s"));

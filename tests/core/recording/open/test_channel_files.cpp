@@ -255,6 +255,17 @@ private slots:
         QCOMPARE(find(recording, DiagnosticKind::time_gap)->count, 30);
     }
 
+    void channels_on_either_side_of_midnight_are_one_recording() {
+        const Folder folder;
+        const auto c = folder.write("c.csv", table("t,C", 500, 86400 - 0.01, {signal_c}));
+        const auto d = folder.write("d.csv", table("t,D", 500, 0.0, {signal_d}));
+        OpenOptions options;
+        options.channel_d_file = d.string();
+        const Recording recording = opened(c, options);
+        QCOMPARE(recording.frames(), 500);
+        QVERIFY(find(recording, DiagnosticKind::channel_delayed));
+    }
+
     void pieces_untimed_follow_each_other_and_it_is_told() {
         const Folder folder;
         OpenOptions raw{.rate_hz = rate, .raw = RawLayout{}};
