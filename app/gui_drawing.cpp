@@ -142,7 +142,7 @@ bool is_session(const std::string& input) {
 template <class S>
 void warn_beside_session(const std::vector<SettingRow<S>>& rows, const S& told) {
     for (const SettingRow<S>& row : rows) {
-        if (row.has_part && row.text(told) != row.text(S())) {
+        if (row.name != "threads" && row.text(told) != row.text(S())) {
             warn({{DiagnosticKind::option_without_effect,
                    {row.option(), "a session has settings of its own"}}});
         }

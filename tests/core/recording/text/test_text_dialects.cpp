@@ -383,6 +383,7 @@ private slots:
                                       .time_column = 0,
                                       .counter_column = -1,
                                       .time_unit_s = 1e-3,
+                                      .own_time_unit_s = 1e-3,
                                       .header_lines_used = 1,
                                       .headings = {{"t", "ms"}, {"C", "V"}, {"D", "V"}}}));
         QVERIFY(!guess_text_format(std::vector<std::string>{"Dear Sir,", "1", "", "2", "x;y"}));
