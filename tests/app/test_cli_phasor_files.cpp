@@ -74,9 +74,9 @@ private slots:
                            expected["sd"].toDouble() * 0.1);
             }
         }
-        const Outcome refused = run(demods + choice + words("--rate 100"));
-        QCOMPARE(refused.status, 2);
-        QVERIFY2(refused.err.contains("rows a second"), refused.err);
+        const Outcome another = run(demods + choice + words("--rate 100"));
+        QCOMPARE(another.status, 2);
+        QVERIFY2(another.err.contains("rows a second"), another.err);
     }
 
     // LabOne's long form: a line for each field, with its values side by side.
