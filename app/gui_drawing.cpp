@@ -19,6 +19,7 @@
 #include "core/output/output_file.h"
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_options.h"
+#include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
@@ -320,11 +321,17 @@ Status wait_until(const std::function<bool()>& done, const std::stop_token& stop
     return stop.stop_requested() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
 }
 
-// Whether every recording has its hash and its check, and no analysis and no drift is under way.
+// Whether every recording is open and has, where it is analysed, its hash and its check, and no
+// analysis and no drift is under way.
 bool is_whole(const Document& document) {
+    const auto is_analysed = [&document](const RecordingEntry& entry) {
+        return std::ranges::find(document.analyses(), entry.id, &ui::AnalysisEntry::recording_id) !=
+               document.analyses().end();
+    };
     return !document.busy() && !document.drift().computing() &&
-           std::ranges::all_of(document.recordings(), [](const RecordingEntry& entry) {
-               return entry.recording && !entry.sha256.isEmpty() && entry.faults;
+           std::ranges::all_of(document.recordings(), [&](const RecordingEntry& entry) {
+               const bool checked = !entry.sha256.isEmpty() && entry.faults;
+               return entry.recording && (checked || !is_analysed(entry));
            });
 }
 

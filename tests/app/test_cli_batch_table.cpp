@@ -90,12 +90,12 @@ private slots:
     }
 
     void a_set_of_two_types_has_no_limits() {
-        QVERIFY(put(path("two.csv"), "set,file,gyro_type\ns1,a.wav,M1\ns1,b.wav,M2\n"));
+        QVERIFY(put(path("types.csv"), "set,file,gyro_type\ns1,a.wav,M1\ns1,b.wav,M2\n"));
         QVERIFY(put(path("limits.csv"), "parameter,least\ntau_s,1\n"));
-        const Outcome refused = run("batch two.csv -o p.csv --limits limits.csv");
+        const Outcome refused = run("batch types.csv -o p.csv --limits limits.csv");
         QCOMPARE(refused.status, 4);
         QVERIFY2(refused.err.contains("the type of the gyro (M1 and M2)"), refused.err);
-        QCOMPARE(run("batch two.csv -o p.csv").status, 0);
+        QCOMPARE(run("batch types.csv -o p.csv").status, 0);
     }
 
     void passports_of_a_batch_compare_with_a_later_one() {
