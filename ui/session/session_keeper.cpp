@@ -89,6 +89,9 @@ SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* par
             Qt::QueuedConnection);
     connect(&document_, &Document::recordingsChanged, this, &SessionKeeper::finishWhenComputed,
             Qt::QueuedConnection);
+    // Also of a recording without an analysis, which alone makes nobody busy.
+    connect(&document_, &Document::recordingChanged, this, &SessionKeeper::finishWhenComputed,
+            Qt::QueuedConnection);
     connect(&document_, &Document::recordingChanged, this, &SessionKeeper::compareHash);
     connect(&document_, &Document::finished, this, [this] { backup_.soon(); });
     connect(&document_.drift(), &DriftStore::changed, this, &SessionKeeper::compareHashesOfLogs);
