@@ -32,18 +32,18 @@ void LockIn::take_out(double offset_hz, double step_s, std::span<const double> t
     // Over less than a time constant of both sides the difference would be that of the noise.
     const auto reach = static_cast<std::size_t>(std::max(std::lround(tau_s() / step_s), 1L));
     const auto goes_on = [&](std::size_t k) { return time_s[k] - time_s[k - 1] <= 1.5 * step_s; };
-    for (std::size_t k = 0; k < z.size(); ++k) {
-        std::size_t from = k;
-        std::size_t to = k;
-        while (from > 0 && k - from < reach && goes_on(from)) {
-            --from;
+    for (std::size_t begin = 0, end = 0; begin < z.size(); begin = end) {
+        end = begin + 1;
+        while (end < z.size() && goes_on(end)) {
+            ++end;
         }
-        while (to + 1 < z.size() && to - k < reach && goes_on(to + 1)) {
-            ++to;
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t from = k - std::min(reach, k - begin);
+            const std::size_t to = std::min(k + reach, end - 1);
+            const std::complex<double> rate =
+                from == to ? 0 : (seen[to] - seen[from]) / (time_s[to] - time_s[from]);
+            z[k] = (seen[k] - slope_s * rate) / gain;
         }
-        const std::complex<double> rate =
-            from == to ? 0 : (seen[to] - seen[from]) / (time_s[to] - time_s[from]);
-        z[k] = (seen[k] - slope_s * rate) / gain;
     }
 }
 

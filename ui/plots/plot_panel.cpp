@@ -1,5 +1,6 @@
 #include "ui/plots/plot_panel.h"
 
+#include "core/numerics/phase.h"
 #include "core/numerics/statistics.h"
 
 #include <QCoreApplication>
@@ -390,10 +391,10 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
             const auto curve = of->curve(variable_);
             const std::size_t row = curve->nearest(found->time_s[static_cast<std::size_t>(middle)]);
             const double turn = 2 * std::numbers::pi * scale.factor;
-            const double off = scale.value(curve->value(row)) - values[middle];
-            const double turns = std::isfinite(off) ? std::round(off / turn) : 0;
+            const double on_curve = scale.value(curve->value(row));
+            const double off = nearest_branch(values[middle], on_curve, turn) - values[middle];
             for (double& value : values) {
-                value += turns * turn;
+                value += std::isfinite(off) ? off : 0;
             }
         }
         trend_->setData(QVector<double>(found->time_s.begin(), found->time_s.end()), values, true);

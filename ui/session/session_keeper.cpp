@@ -89,7 +89,7 @@ SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* par
             Qt::QueuedConnection);
     connect(&document_, &Document::recordingsChanged, this, &SessionKeeper::finishWhenComputed,
             Qt::QueuedConnection);
-    // Also of a recording without an analysis, which alone makes nobody busy.
+    // Opening a recording without an analysis ends with this signal alone.
     connect(&document_, &Document::recordingChanged, this, &SessionKeeper::finishWhenComputed,
             Qt::QueuedConnection);
     connect(&document_, &Document::recordingChanged, this, &SessionKeeper::compareHash);
