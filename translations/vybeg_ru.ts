@@ -1372,16 +1372,16 @@
         <translation>%1: такого файла нет. Проверьте имя и папку.</translation>
     </message>
     <message>
-        <source>%1: no permission to read this file. Change its permissions or copy it.</source>
-        <translation>%1: нет права читать этот файл. Измените права доступа или скопируйте файл.</translation>
+        <source>%1: no permission to read it. Change its permissions or copy it.</source>
+        <translation>%1: нет права на чтение. Измените права доступа или скопируйте.</translation>
     </message>
     <message>
-        <source>%1 is a folder, not a recording. Name one file inside it.</source>
-        <translation>%1 — папка, а не запись. Укажите файл внутри неё.</translation>
+        <source>%1 is a folder, not a file. Name one file inside it.</source>
+        <translation>%1 — папка, а не файл. Укажите файл внутри неё.</translation>
     </message>
     <message>
-        <source>%1: the file is empty (0 bytes). Record or copy it again.</source>
-        <translation>%1: файл пуст (0 байт). Запишите или скопируйте его заново.</translation>
+        <source>%1: the file is empty (0 bytes). Save or copy it again.</source>
+        <translation>%1: файл пуст (0 байт). Сохраните или скопируйте его заново.</translation>
     </message>
     <message>
         <source>%1: reading failed: %2. Check the disk and copy the file again.</source>
@@ -1570,6 +1570,10 @@
     <message>
         <source>Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged.</source>
         <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
+    </message>
+    <message>
+        <source>Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or a wave below one bit. Windows over them are flagged.</source>
+        <translation>Оба канала неподвижны период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна над ними отмечены.</translation>
     </message>
     <message>
         <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>
@@ -1956,8 +1960,8 @@
         <translation>Столбцы со словами — не каналы и пропущены: %1.</translation>
     </message>
     <message>
-        <source>%1 is a pipe or a device, and a recording is read more than once. Save it to a file first, as in cat %1 &gt; run.wav, and name that file.</source>
-        <translation>%1 — канал или устройство, а запись читается не один раз. Сначала сохраните её в файл, например cat %1 &gt; run.wav, и укажите этот файл.</translation>
+        <source>%1 is a pipe or a device, which cannot be read more than once. Save it to a file first, as in cat %1 &gt; FILE, and name that file.</source>
+        <translation>%1 — канал или устройство, которые нельзя прочитать дважды. Сначала сохраните данные в файл, например cat %1 &gt; FILE, и укажите этот файл.</translation>
     </message>
     <message>
         <source>%1 states a sample rate of %2 Hz, and its times give %3 Hz. {Say which holds: --time-unit for the unit of the times, or --rate with one of both|Choose the unit of the times, or give the one that holds as the sample rate}.</source>
@@ -4373,6 +4377,22 @@
     <message>
         <source>it is the table of limits</source>
         <translation>это таблица допусков</translation>
+    </message>
+    <message>
+        <source>the line is longer than 1 MiB</source>
+        <translation>строка длиннее 1 МиБ</translation>
+    </message>
+    <message>
+        <source>it holds a zero byte</source>
+        <translation>в нём нулевой байт</translation>
+    </message>
+    <message>
+        <source>the name of a column</source>
+        <translation>имя столбца</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lies below absolute zero, -273.15 C</source>
+        <translation>«%1» ниже абсолютного нуля, −273,15 °C</translation>
     </message>
     <message>
         <source>the file holds no text</source>

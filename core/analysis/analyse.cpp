@@ -55,9 +55,9 @@ AnalysisSummary summary_before(const Settings& settings, const ConditionedRecord
 
 // Adds what the windows have shown, and the sample check that has seen all samples on their way.
 void add_estimation(const EstimationSummary& estimation, const SampleFaults& faults,
-                    AnalysisSummary& analysis) {
+                    std::int64_t filter_reach, AnalysisSummary& analysis) {
     add_findings(faults.findings, analysis.diagnostics);
-    analysis.flagged = windows_over(faults, analysis.plan);
+    analysis.flagged = windows_over(faults, analysis.plan, filter_reach);
     const std::vector<FlaggedRows> moving =
         moving_apart(estimation.moving, analysis.flagged, analysis.plan);
     analysis.flagged.insert(analysis.flagged.end(), moving.begin(), moving.end());
@@ -253,7 +253,7 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     TRY(before ? before(prepared, analysis) : Status());
     const auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
                                                analysis.timing.threads, sink, job));
-    add_estimation(estimation, prepared.check->finish(), analysis);
+    add_estimation(estimation, prepared.check->finish(), prepared.filter_reach, analysis);
     TRY(add_other_carrier(recording, settings, *prepared.check, job, analysis));
     return analysis;
 }

@@ -364,13 +364,22 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
     return summary;
 }
 
-std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan) {
+std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan,
+                                      std::int64_t filter_reach) {
     std::vector<FlaggedRows> flagged;
     for (const FrameRange& range : faults.clipped) {
         add_windows(range.end(), range.first, Flag::clipped, plan, flagged);
     }
+    std::vector<FrameRange> gaps;
+    for (const FrameRange& range : faults.still) {
+        gaps.push_back({range.first - filter_reach, range.count + 2 * filter_reach});
+    }
     for (const PhaseStep& step : faults.steps) {
-        add_windows(step.frame, step.frame, Flag::gap, plan, flagged);
+        gaps.push_back({step.frame, 0});
+    }
+    std::ranges::sort(gaps, {}, &FrameRange::first);
+    for (const FrameRange& range : gaps) {
+        add_windows(range.end(), range.first, Flag::gap, plan, flagged);
     }
     std::ranges::stable_sort(flagged, {}, &FlaggedRows::first);
     return flagged;

@@ -31,9 +31,11 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const JobControl& job);
 
 // Which windows of a plan lie over faults of the samples: Flag::clipped over segments at the rail,
-// Flag::gap where samples were lost or doubled inside. Ordered by first row;
-// segments of one flag do not overlap.
-std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan);
+// Flag::gap over segments that stand still, with the frames to each side that a filter of this
+// reach takes in, and where samples were lost or doubled inside. Ordered by first row; segments of
+// one flag do not overlap.
+std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan,
+                                      std::int64_t filter_reach);
 
 // The rows of `moving` that no window over a fault explains: all but those within two
 // windows' lengths of `over_faults`, as far as motion is looked for.

@@ -134,6 +134,13 @@ private:
 
     // They stand in the table of results as they are, where a table program runs them.
     void find_formulas() {
+        for (const std::string& name : list_.other_columns) {
+            if (is_formula(name)) {
+                list_.warnings.push_back(
+                    {DiagnosticKind::formula_in_list,
+                     {name, words(VYBEG_MESSAGE("Words", "the name of a column"))}});
+            }
+        }
         for (const CsvRow& row : table_.rows) {
             for (std::size_t k = 0; k < row.fields.size(); ++k) {
                 if (is_formula(row.fields[k])) {
@@ -334,6 +341,13 @@ private:
                                       words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"),
                                             {table_.field(row, column)}));
             }
+            constexpr double absolute_zero_c = -273.15;
+            if (value == &told.temperature_c && *number < absolute_zero_c) {
+                return table_.invalid(
+                    row.line, column,
+                    words(VYBEG_MESSAGE("Words", "\"%1\" lies below absolute zero, -273.15 C"),
+                          {table_.field(row, column)}));
+            }
             *value = text.empty() ? std::nullopt : std::optional(*number);
         }
         const std::string& exchanged = table_.field(row, "exchanged");
@@ -424,7 +438,11 @@ Result<MeasurementList> list_of_folder(
         }
     }
     if (failed) {
-        return Error{ErrorCode::file_read_failed, folder.string(), {system_reason(failed.value())}};
+        return failed == std::errc::permission_denied
+                   ? Error{ErrorCode::file_permission, folder.string(), {}}
+                   : Error{ErrorCode::file_read_failed,
+                           folder.string(),
+                           {system_reason(failed.value())}};
     }
     std::ranges::sort(files);
     MeasurementList list;

@@ -267,8 +267,9 @@ Result<Estimates> estimate_all(const ConditionedRecording& prepared, const Windo
 }
 
 // Marks the windows over faults as missing.
-void leave_out(const SampleFaults& faults, const WindowPlan& plan, Estimates& estimates) {
-    for (const FlaggedRows& rows : windows_over(faults, plan)) {
+void leave_out(const SampleFaults& faults, const WindowPlan& plan, std::int64_t filter_reach,
+               Estimates& estimates) {
+    for (const FlaggedRows& rows : windows_over(faults, plan, filter_reach)) {
         for (std::size_t k = rows.first; k < rows.first + rows.count; ++k) {
             estimates[k].noise_power = std::numeric_limits<double>::quiet_NaN();
         }
@@ -511,7 +512,7 @@ Result<RecordedRun> phasor_windows(const WindowChoice& choice, double rate_hz, i
     add_findings(prepared.check->offsets(), told.diagnostics);
     tell_of_lost_samples(faults.steps, told.diagnostics);
     const bool any_sample = std::ranges::any_of(estimates, counts);
-    leave_out(faults, plan, estimates);
+    leave_out(faults, plan, prepared.filter_reach, estimates);
     leave_out_strike(plan, rate_hz, prepared.filter_reach, estimates, told.diagnostics);
     Noise noise;
     noise.freedom = noise_freedom(mean, prepared, static_cast<double>(plan.length) / rate_hz);

@@ -84,6 +84,12 @@ ROW(clipped, warning,
     VYBEG_MESSAGE(
         "Message",
         "Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged."))
+// %1: places; %2: samples.
+ROW(samples_still, warning,
+    VYBEG_MESSAGE("Message",
+                  "Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 "
+                  "samples in all, the first at %3 s: lost samples that were filled, or a wave "
+                  "below one bit. Windows over them are flagged."))
 ROW(samples_lost, warning,
     VYBEG_MESSAGE("Message", "Samples lost: %1 at %2 s. Windows over the place are flagged."))
 ROW(samples_doubled, warning,

@@ -15,12 +15,11 @@ ROW(folder_empty, bad_input,
         "Message",
         "%1: the folder holds no recording. Choose one that does, or a measurement list."))
 ROW(file_permission, bad_input,
-    VYBEG_MESSAGE("Message",
-                  "%1: no permission to read this file. Change its permissions or copy it."))
+    VYBEG_MESSAGE("Message", "%1: no permission to read it. Change its permissions or copy it."))
 ROW(file_is_directory, bad_input,
-    VYBEG_MESSAGE("Message", "%1 is a folder, not a recording. Name one file inside it."))
+    VYBEG_MESSAGE("Message", "%1 is a folder, not a file. Name one file inside it."))
 ROW(file_empty, bad_input,
-    VYBEG_MESSAGE("Message", "%1: the file is empty (0 bytes). Record or copy it again."))
+    VYBEG_MESSAGE("Message", "%1: the file is empty (0 bytes). Save or copy it again."))
 ROW(file_read_failed, bad_input,
     VYBEG_MESSAGE("Message", "%1: reading failed: %2. Check the disk and copy the file again."))
 // %2: program; %3: why.
@@ -30,9 +29,10 @@ ROW(reader_not_started, bad_input,
         "%1: the program %2, which reads such files, cannot be started: %3. Install Vybeg "
         "again, with all of its programs."))
 ROW(file_not_regular, bad_input,
-    VYBEG_MESSAGE("Message",
-                  "%1 is a pipe or a device, and a recording is read more than once. Save it to a "
-                  "file first, as in cat %1 > run.wav, and name that file."))
+    VYBEG_MESSAGE(
+        "Message",
+        "%1 is a pipe or a device, which cannot be read more than once. Save it to a file "
+        "first, as in cat %1 > FILE, and name that file."))
 ROW(format_unknown, bad_input,
     VYBEG_MESSAGE("Message",
                   "%1: neither an audio file nor a table of numbers. Save the recording as WAV or "

@@ -17,6 +17,7 @@
 #include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -28,6 +29,8 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <system_error>
@@ -75,24 +78,69 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     return lines;
 }
 
+// A field of a row by the name of its column, which each table has or, if it has limits, this one.
+const std::string& field_of(const BatchRow& fields, const std::string& column) {
+    const std::vector<std::string> names = batch_columns(true);
+    return fields.at(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
+}
+
 // How many sets do not keep the limits, by the table's column.
 struct LimitCounts {
     std::int64_t failed = 0;
     std::int64_t undecided = 0;
 };
 
-Status write_table(OutputFile& output, const BatchRequest& request, const std::string& head,
-                   const std::vector<SetTask>& tasks, const RowJournal& journal,
-                   LimitCounts& counts) {
-    const bool limits = !request.limits.empty();
-    const std::vector<std::string> names = batch_columns(limits);
-    const auto passed = std::ranges::find(names, passed_column) - names.begin();
-    TRY(output.write((request.excel ? excel_head(head) : head) + "\n"));
+// Rows of sets whose recordings have left a watched folder, in the order of their computation. A
+// row counts no more where its set, or a file of it, has a later one. `columns`: of the table;
+// without those of the list where these were others.
+std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
+                                           const RowJournal& journal, std::size_t columns) {
+    std::set<std::string> sets;
+    std::set<std::string> files;
     for (const SetTask& task : tasks) {
-        const std::string& row = journal.row(task.key);
+        sets.insert(task.set->name);
+        for (const RecordingRef& recording : task.set->recordings) {
+            files.insert(recording.file);
+        }
+    }
+    std::vector<std::string> rows;
+    for (auto row = journal.rows().rbegin(); row != journal.rows().rend(); ++row) {
+        BatchRow fields = csv_fields(*row);
+        bool known = !sets.insert(field_of(fields, "set")).second;
+        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
+            known = !files.insert(std::string(part.begin(), part.end())).second || known;
+        }
+        if (known) {
+            continue;
+        }
+        if (fields.size() != columns) {
+            fields.resize(batch_columns().size());
+            fields.resize(columns);
+        }
+        rows.push_back(csv_row(fields));
+    }
+    std::ranges::reverse(rows);
+    return rows;
+}
+
+Status write_table(OutputFile& output, const BatchRequest& request, const MeasurementList& list,
+                   const std::vector<std::string>& header, const std::vector<SetTask>& tasks,
+                   const RowJournal& journal, LimitCounts& counts) {
+    const bool limits = !request.limits.empty();
+    const std::string head = batch_head(header, list.other_columns, limits);
+    std::vector<std::string> rows;
+    if (request.watch) {
+        rows = rows_of_left_sets(tasks, journal,
+                                 batch_columns(limits).size() + list.other_columns.size());
+    }
+    for (const SetTask& task : tasks) {
+        rows.push_back(journal.row(task.key));
+    }
+    TRY(output.write((request.excel ? excel_head(head) : head) + "\n"));
+    for (const std::string& row : rows) {
         const BatchRow fields = csv_fields(row);
         if (limits) {
-            const std::string& field = fields.at(static_cast<std::size_t>(passed));
+            const std::string& field = field_of(fields, passed_column);
             counts.failed += field == passed_text(Conformity::outside) ? 1 : 0;
             counts.undecided += field == passed_text(Conformity::unknown) ? 1 : 0;
         }
@@ -218,10 +266,9 @@ private:
         for (const std::string* folder : {&request_.json, &request_.new_passports}) {
             TRY(folder->empty() ? Status() : make_folder(*folder));
         }
-        const auto is_kept = [this](const SetTask& task) { return journal_->has(task.key); };
         if (journal_) {
             TRY(set_keys(tasks));
-            if (std::ranges::all_of(tasks, is_kept)) {
+            if (std::ranges::all_of(tasks, [this](const auto& task) { return is_kept(task); })) {
                 return {};
             }
         }
@@ -239,6 +286,15 @@ private:
             }
         }
         return compute_rows(list, tasks, header, output);
+    }
+
+    // Whether the row of a set is in the journal, and the files of its result are still there.
+    bool is_kept(const SetTask& task) const {
+        return journal_->has(task.key) &&
+               (field_of(csv_fields(journal_->row(task.key)), "status") != "ok" ||
+                std::ranges::all_of(
+                    std::array{&task.json, &task.new_passport},
+                    [](const auto* file) { return file->empty() || fs::exists(*file); }));
     }
 
     // Gives each task the key of its row.
@@ -277,12 +333,12 @@ private:
         return {};
     }
 
-    // Under --only the rows of other sets are theirs.
+    // Under --only the rows of other sets are theirs; of a watched folder, those of sets that left.
     void tell_other_rows(const std::vector<SetTask>& tasks) {
         const auto kept = std::ranges::count_if(
             tasks, [this](const SetTask& task) { return journal_->has(task.key); });
         const auto others = static_cast<std::int64_t>(journal_->size()) - kept;
-        if (request_.only.empty() && others > 0) {
+        if (request_.only.empty() && !request_.watch && others > 0) {
             events_.warned(
                 {{DiagnosticKind::other_rows, {journal_of(request_.output), count_arg(others)}}});
         }
@@ -295,9 +351,7 @@ private:
         Status done = work.run();
         LimitCounts counts;
         if (done) {
-            done = write_table(output, request_,
-                               batch_head(header, list.other_columns, !request_.limits.empty()),
-                               tasks, *journal_, counts);
+            done = write_table(output, request_, list, header, tasks, *journal_, counts);
         }
         if (!done) {
             return as_left(done.error(), output, work.done(), std::ssize(tasks));
@@ -346,7 +400,7 @@ private:
               last_id_(last_id),
               interrupted_(batch.stop_, [this] { halt_.request_stop(); }) {
             for (const SetTask& task : tasks_) {
-                if (!batch_.journal_->has(task.key)) {
+                if (!batch_.is_kept(task)) {
                     todo_.push_back(&task);
                 }
             }

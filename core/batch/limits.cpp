@@ -151,8 +151,11 @@ Result<std::vector<PracticalLimit>> read_practical_limits(std::string_view text)
             return wrong(name + " is an angle, whose limit is in rad or deg");
         }
         const std::optional<double> value = number_with_unit(size, relative ? "" : parameter->unit);
-        if (!value || !(*value >= 0)) {
-            return wrong(name + " must be a number of zero or more");
+        if (!value || !(*value >= 0) || !std::isfinite(*value)) {
+            const std::string unit = parameter->unit;
+            return wrong(name + " must be a number of zero or more" +
+                         (unit.empty() ? "" : ", in " + unit) +
+                         (parameter->period > 0 ? "" : ", or a part of it as in 0.5% or 10ppm"));
         }
         limits.push_back({parameter->name, *value, relative});
     }

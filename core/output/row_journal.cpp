@@ -73,8 +73,9 @@ Status RowJournal::begin(bool resume) {
     if (first == head) {
         Status found = find_rows();
         if (!resume) {
-            found_ = rows_.size();
+            found_ = places_.size();
             rows_.clear();
+            places_.clear();
         }
         return found;
     }
@@ -107,7 +108,7 @@ Status RowJournal::find_rows() {
             const std::string row = line.substr(key_end + 1, line.size() - key_end - 2);
             const auto whole = TRY(line_of(key, row));
             if (whole == line) {
-                rows_[key] = row;
+                add(key, row);
             }
         }
         end_ += static_cast<std::int64_t>(line.size());
@@ -131,8 +132,13 @@ Status RowJournal::append(const std::string& key, std::string_view row) {
         const auto line = TRY(line_of(key, row));
         TRY(write(line));
     }
-    rows_[key] = row;
+    add(key, row);
     return {};
+}
+
+void RowJournal::add(const std::string& key, std::string_view row) {
+    places_[key] = rows_.size();
+    rows_.emplace_back(row);
 }
 
 Status RowJournal::write(std::string_view bytes) {

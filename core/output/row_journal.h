@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vybeg {
 
@@ -25,14 +26,16 @@ public:
     static Result<RowJournal> open(const std::filesystem::path& path, bool resume);
 
     // `key` names the row and all that it depends on, in one line without spaces.
-    bool has(const std::string& key) const { return rows_.contains(key); }
+    bool has(const std::string& key) const { return places_.contains(key); }
     // Whether the file has no rows, those found included.
     bool empty() const { return rows_.empty() && found_ == 0; }
     // Number of rows found that are not taken.
     std::size_t found() const { return found_; }
-    std::size_t size() const { return rows_.size(); }
+    std::size_t size() const { return places_.size(); }
+    // All rows, in the order of their lines; of several with one key the last counts.
+    const std::vector<std::string>& rows() const { return rows_; }
     // Precondition: has(key).
-    const std::string& row(const std::string& key) const { return rows_.at(key); }
+    const std::string& row(const std::string& key) const { return rows_[places_.at(key)]; }
     // `row`: one line without its line feed. An error leaves the rows before. Errors:
     // output_failed.
     Status append(const std::string& key, std::string_view row);
@@ -44,6 +47,7 @@ private:
     explicit RowJournal(std::filesystem::path path) : path_(std::move(path)) {}
     Status begin(bool resume);
     Status find_rows();
+    void add(const std::string& key, std::string_view row);
     Status write(std::string_view bytes);
     Result<std::string> read(std::int64_t offset, std::size_t size) const;
     Error failed(int error) const;
@@ -51,7 +55,8 @@ private:
     std::filesystem::path path_;
     Descriptor descriptor_;
     std::int64_t end_ = 0;
-    std::map<std::string, std::string> rows_;
+    std::vector<std::string> rows_;
+    std::map<std::string, std::size_t> places_;  // in rows_, by key
     std::size_t found_ = 0;
 };
 

@@ -422,7 +422,7 @@ Result<SweepLength> in_windows(const WindowPlan& plan, const WindowSweep& sweep,
                                  rate);
     }
     NeighbourScatter scatter(plan, rate, prepared.calibration.two_theta_zero(),
-                             windows_over(faults, plan), noise);
+                             windows_over(faults, plan, prepared.filter_reach), noise);
     const TrackSink sink = [&](const Track& rows) -> Status {
         scatter.take(rows);
         return {};

@@ -188,6 +188,12 @@ private slots:
         QVERIFY(!QFile::exists(path(journal)));
     }
 
+    void lost_results_are_written_again() {
+        QVERIFY(leave_rows());
+        QVERIFY(QDir(path("json")).removeRecursively());
+        resume_and_compare();
+    }
+
     // Begun again without --resume, and interrupted once more: a later --resume has the rows of
     // both.
     void a_run_without_resume_keeps_the_rows() {

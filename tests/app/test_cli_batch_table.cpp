@@ -267,9 +267,16 @@ private slots:
                                    "watched.db", "--quiet", "--resume"});
         QVERIFY(watching.waitForStarted());
         QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("pair first.wav growing.wav last.wav"), 30000);
+        // A recording that is moved away after its measurement keeps its row.
+        QVERIFY(QFile::rename(path("inbox/first.wav"), path("archived.wav")));
+        QVERIFY(QFile::remove(path("inbox/d.wav")));
+        QVERIFY(QFile::copy(path("b.wav"), path("inbox/z.wav")));
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("first.wav pair growing.wav last.wav z.wav"),
+                                  30000);
         ::kill(static_cast<pid_t>(watching.processId()), SIGTERM);
         QVERIFY(watching.waitForFinished());
-        QCOMPARE(watching.readAllStandardOutput().count('\n'), 1);
+        QCOMPARE(watching.readAllStandardOutput().count('\n'), 2);
+        QVERIFY(!watching.readAllStandardError().contains("cannot take"));
         QCOMPARE(run("batch --watch none -o x.csv").status, 3);
         QCOMPARE(run("batch --watch inbox -o -").status, 2);
         QCOMPARE(run("batch --watch inbox list.csv -o x.csv").status, 2);

@@ -328,6 +328,8 @@ double FaultCheck::ChannelSums::mean() const {
 
 FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
     if (f0_hz) {
+        constexpr std::int64_t least = 16;
+        least_still_ = std::max(least, static_cast<std::int64_t>(std::ceil(rate_hz / *f0_hz)) + 1);
         steps_.emplace(*f0_hz, rate_hz);
     }
 }
@@ -352,6 +354,9 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
     const std::array<std::span<const double>, 2> channels{c, d};
     const bool whole = extents[0].is_finite() && extents[1].is_finite();
     alike_ = alike_ && std::ranges::equal(c, d);
+    if (least_still_ > 0) {
+        add_still(first_frame, c, d);
+    }
     for (std::size_t j = 0; !whole && j < c.size(); ++j) {
         const int missing = (std::isfinite(c[j]) ? 0 : 1) + (std::isfinite(d[j]) ? 0 : 1);
         if (missing > 0) {
@@ -378,6 +383,36 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
     }
 }
 
+// Most portions have no two frames alike in succession, which their count tells fastest.
+void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
+                           std::span<const double> d) {
+    std::int64_t alike = c[0] == last_[0] && d[0] == last_[1] ? 1 : 0;
+    for (std::size_t j = 1; j < c.size(); ++j) {
+        alike += static_cast<std::int64_t>((c[j] == c[j - 1]) & (d[j] == d[j - 1]));
+    }
+    const std::size_t from = alike > 0 ? 0 : c.size() - 1;
+    for (std::size_t j = from; j < c.size(); ++j) {
+        if (alike > 0 && c[j] == last_[0] && d[j] == last_[1]) {
+            ++unmoved_.count;
+            continue;
+        }
+        close_still();
+        unmoved_ = {first_frame + static_cast<std::int64_t>(j), 1};
+        last_ = {c[j], d[j]};
+    }
+}
+
+void FaultCheck::close_still() {
+    if (unmoved_.count < least_still_ || least_still_ == 0) {
+        return;
+    }
+    if (still_.size() < ClippingCheck::most_places) {
+        still_.push_back(unmoved_);
+    } else {
+        still_.back().count = unmoved_.end() - still_.back().first;
+    }
+}
+
 SampleFaults FaultCheck::finish() {
     SampleFaults faults;
     if (missing_ > 0) {
@@ -392,6 +427,21 @@ SampleFaults FaultCheck::finish() {
     report_rails(clipping_[0], channel_names[0], faults);
     report_rails(clipping_[1], channel_names[1], faults);
     std::ranges::sort(faults.clipped, {}, &FrameRange::first);
+    close_still();
+    const auto moves = [](const ClippingCheck& channel) { return channel.levels() > 2; };
+    if (!still_.empty() && std::ranges::any_of(clipping_, moves)) {
+        std::int64_t frames = 0;
+        for (const FrameRange& range : still_) {
+            frames += range.count;
+        }
+        const std::int64_t first = still_.front().first;
+        faults.findings.push_back({DiagnosticKind::samples_still,
+                                   {count_arg(std::ssize(still_)), count_arg(frames),
+                                    number_arg(static_cast<double>(first) / rate_hz_, 9)},
+                                   first,
+                                   frames});
+        faults.still = std::move(still_);
+    }
     if (steps_) {
         faults.steps = steps_->finish();
         report_steps(rate_hz_, faults);

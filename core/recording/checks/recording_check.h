@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -36,15 +37,19 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
 // Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
     std::vector<Diagnostic> findings;  // channels without a signal of their own, missing samples,
-                                       // clipping, lost and doubled samples
+                                       // clipping, ranges that stand still, lost and doubled
+                                       // samples
     std::vector<FrameRange> clipped;   // ranges at a rail in either channel, in order
+    std::vector<FrameRange> still;     // ranges in which no channel moves, in order
     std::vector<PhaseStep> steps;      // lost and doubled samples, in order
 };
 
-// Finds missing samples, clipping and lost samples in one pass.
+// Finds missing samples, clipping, lost samples, and ranges of a period of the carrier and 16
+// frames at least in which no channel moves: a recorder or a decoder fills lost samples with zeros
+// or with the last one. All in one pass.
 class FaultCheck {
 public:
-    // Without a carrier it does not search for lost samples.
+    // Without a carrier it does not search for lost or still samples.
     FaultCheck(std::optional<double> f0_hz, double rate_hz);
 
     // Adds the next frames, in order.
@@ -68,6 +73,8 @@ private:
 
     void add_portion(std::int64_t first_frame, std::span<const double> c,
                      std::span<const double> d);
+    void add_still(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
+    void close_still();
 
     double rate_hz_;
     std::array<ChannelSums, 2> sums_;
@@ -76,6 +83,12 @@ private:
     std::int64_t first_missing_ = -1;
     std::array<ClippingCheck, 2> clipping_;
     bool alike_ = true;  // channels, sample by sample
+    std::int64_t least_still_ = 0;
+    std::array<double, 2> last_{
+        std::numeric_limits<double>::quiet_NaN(),
+        std::numeric_limits<double>::quiet_NaN()};  // sample of each channel
+    FrameRange unmoved_;  // the frames before the next that are like the last
+    std::vector<FrameRange> still_;
     std::optional<PhaseStepCheck> steps_;
 };
 

@@ -98,7 +98,12 @@ public:
 
 private:
     Result<bool> append_line() {
-        const auto found = TRY(lines_.next());
+        const Result<std::optional<std::string_view>> next = lines_.next();
+        if (!next && next.error().code == ErrorCode::format_limit) {
+            return table_.invalid(line_ + 1, "1",
+                                  words(VYBEG_MESSAGE("Words", "the line is longer than 1 MiB")));
+        }
+        const auto found = TRY(next);
         text_ += found ? to_utf8(*found) : "";
         return found.has_value();
     }
@@ -158,7 +163,11 @@ private:
             return invalid(needed, words(VYBEG_MESSAGE("Words", "the file holds no text")));
         }
         if (!has_name(names.fields, needed)) {
-            const std::string told = joined(names.fields, ", ");
+            constexpr std::size_t most_names = 12;  // in a message
+            const std::string told =
+                joined(std::span(names.fields).first(std::min(names.fields.size(), most_names)),
+                       ", ") +
+                (names.fields.size() > most_names ? ", ..." : "");
             return invalid(
                 needed, told.empty()
                             ? words(VYBEG_MESSAGE("Words", "the list needs this column"))
@@ -183,6 +192,9 @@ private:
             return {};
         }
         for (std::size_t k = 0; k < row.fields.size(); ++k) {
+            if (row.fields[k].find('\0') != std::string::npos) {
+                return invalid(column(k), words(VYBEG_MESSAGE("Words", "it holds a zero byte")));
+            }
             if (!row.fields[k].empty() && (k >= table_.names.size() || table_.names[k].empty())) {
                 return invalid(
                     column(k),

@@ -165,6 +165,40 @@ private slots:
         QCOMPARE(none.error().args, std::vector<MessageArg>{"D"});
     }
 
+    // As a decoder or a driver fills what was lost, with zeros or with the last sample.
+    void windows_over_filled_samples_are_left_out() {
+        FreeDecay decay = gyro();
+        decay.noise = 1e-3;
+        const SimulatedDecay whole = simulated(decay);
+        for (const bool zeros : {true, false}) {
+            SimulatedDecay samples = whole;
+            for (std::size_t j = 20100; j < 21124; ++j) {
+                samples.c[j] = zeros ? 0 : samples.c[20099];
+                samples.d[j] = zeros ? 0 : samples.d[20099];
+            }
+            for (std::size_t j = 132900; j < samples.c.size(); ++j) {
+                samples.c[j] = samples.d[j] = 0;
+            }
+            SignalSettings settings;
+            settings.f0_hz = decay.f0_hz;
+            const RecordedRun found =
+                phasors_of(recording_of(samples.c, samples.d, 33333), settings, 500);
+            const auto filled = std::ranges::find(found.told.diagnostics,
+                                                  DiagnosticKind::samples_still, &Diagnostic::kind);
+            QVERIFY(filled != found.told.diagnostics.end());
+            QCOMPARE(filled->args[0], count_arg(2));
+            VYBEG_NEAR(static_cast<double>(filled->frame), 20100, 1);
+            const auto frames = static_cast<std::int64_t>(samples.c.size());
+            QCOMPARE(found.told.windows_used, frames / 500 - 3 - (frames / 500 - 132900 / 500));
+            VYBEG_LESS(errors_of(found, decay).square, 1.2);
+        }
+        SignalSettings settings;
+        settings.f0_hz = decay.f0_hz;
+        QVERIFY(std::ranges::none_of(
+            phasors_of(recording_of(whole.c, whole.d, 33333), settings, 500).told.diagnostics,
+            [](const Diagnostic& told) { return told.kind == DiagnosticKind::samples_still; }));
+    }
+
     void the_phase_runs_on_behind_a_lost_sample() {
         const FreeDecay decay = gyro();
         SimulatedDecay samples = simulated(decay);

@@ -57,8 +57,14 @@ private slots:
                 step.lost = 1;
                 faults.steps.push_back(step);
             }
+            at = 0;
+            for (std::int64_t k = any(0, 2); k > 0; --k) {
+                at += any(60, 300);
+                faults.still.push_back({at, any(16, 40)});
+            }
+            const std::int64_t reach = any(0, 1) * any(0, 20);
             Track found(static_cast<std::size_t>(plan.count));
-            const std::vector<FlaggedRows> flagged = windows_over(faults, plan);
+            const std::vector<FlaggedRows> flagged = windows_over(faults, plan, reach);
             set_flags(found.flags(), 0, flagged);
             QVERIFY(std::ranges::is_sorted(flagged, {}, &FlaggedRows::first));
             for (std::int64_t k = 0; k < plan.count; ++k) {
@@ -68,6 +74,11 @@ private slots:
                 for (const FrameRange& range : faults.clipped) {
                     if (begin < range.end() && range.first < end) {
                         set(expected, Flag::clipped);
+                    }
+                }
+                for (const FrameRange& range : faults.still) {
+                    if (begin < range.end() + reach && range.first - reach < end) {
+                        set(expected, Flag::gap);
                     }
                 }
                 for (const PhaseStep& step : faults.steps) {
