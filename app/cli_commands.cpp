@@ -22,6 +22,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -35,6 +37,14 @@ std::string rate_sd_text(const Recording& recording) {
     return recording.rate_relative_sd > 0
                ? ", sd " + short_text(recording.rate_relative_sd * recording.rate_hz, 2) + " Hz"
                : "";
+}
+
+// A number as well known as the rate, without digits beyond its standard deviation.
+std::string told_text(const Recording& recording, double value) {
+    constexpr double most = 12;
+    const double relative = recording.rate_relative_sd;
+    const double digits = relative > 0 ? std::ceil(-std::log10(relative)) + 1 : most;
+    return short_text(value, static_cast<int>(std::clamp(digits, 3.0, most)));
 }
 
 // The worst findings, each kind once; `verbose`: all of them, each place by itself.
@@ -62,9 +72,9 @@ std::string described(const Recording& recording, const std::string& sha256,
                       const std::vector<Diagnostic>& diagnostics, bool verbose) {
     std::string text = "file      " + plain_text(recording.path.string()) + "\nformat    " +
                        english(recording.format) + "\nlength    " +
-                       short_text(recording.seconds(), 12) + " s, " +
+                       told_text(recording, recording.seconds()) + " s, " +
                        integer_text(recording.frames()) + " frames\nrate      " +
-                       short_text(recording.rate_hz, 12) + " Hz (" +
+                       told_text(recording, recording.rate_hz) + " Hz (" +
                        rate_origin_name(recording.rate_from) + rate_sd_text(recording) + ")\n";
     for (std::size_t i = 0; i < recording.channels.size(); ++i) {
         const Channel& channel = recording.channels[i];

@@ -183,7 +183,8 @@ std::string drift_text(const Identification& identification) {
 
 // "+2.1 %", or ppm where there is less; with a comma before it, empty where it says nothing.
 std::string relative_text(double relative) {
-    if (std::isnan(relative)) {
+    constexpr double rounding = 1e-12;
+    if (std::isnan(relative) || std::abs(relative) < rounding) {
         return "";
     }
     const bool small = std::abs(relative) < 1e-4;

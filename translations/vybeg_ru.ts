@@ -1396,8 +1396,8 @@
         <translation>%1: файл %2 повреждён: %3. Скопируйте его заново.</translation>
     </message>
     <message>
-        <source>%1, line %2, column %3: &quot;%4&quot; is not a number. Correct it, or write nan for a missing sample.</source>
-        <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его или напишите nan на месте потерянного отсчёта.</translation>
+        <source>%1, line %2, column %3: &quot;%4&quot; is not a number. Correct it; a missing sample, but no time, may be written as nan.</source>
+        <translation>%1, строка %2, столбец %3: «%4» — не число. Исправьте его; потерянный отсчёт, но не время, можно записать как nan.</translation>
     </message>
     <message>
         <source>%1: no line with two or more numbers. The file needs one column for each pick-off.</source>
@@ -1880,8 +1880,8 @@
         <translation>%1 занят другой программой. Пакетная обработка ждёт его, не дольше %2 с.</translation>
     </message>
     <message>
-        <source>%1 and %2 have the same recordings and settings: the database holds one result for both, that of %1.</source>
-        <translation>У %1 и %2 одни и те же записи и параметры: в базе один результат на оба набора, от %1.</translation>
+        <source>The database holds the result of %1 alone: %2 has the same recordings and settings.</source>
+        <translation>В базе только результат %1: у %2 те же записи и параметры.</translation>
     </message>
     <message>
         <source>The list has several sets. Choose one by %2: %3.</source>
@@ -4377,6 +4377,10 @@
     <message>
         <source>it is the table of limits</source>
         <translation>это таблица допусков</translation>
+    </message>
+    <message>
+        <source>samples in the encoding %1</source>
+        <translation>отсчёты в кодировании %1</translation>
     </message>
     <message>
         <source>the line is longer than 1 MiB</source>

@@ -413,5 +413,5 @@ ROW(database_waits, warning,
 // %1: the set that the database keeps.
 ROW(same_recordings, warning,
     VYBEG_MESSAGE("Message",
-                  "%1 and %2 have the same recordings and settings: the database holds one result "
-                  "for both, that of %1."))
+                  "The database holds the result of %1 alone: %2 has the same recordings and "
+                  "settings."))

@@ -48,8 +48,8 @@ ROW(format_limit, bad_input,
     VYBEG_MESSAGE("Message", "%1: this %2 file is beyond a limit of this program: %3. %4."))
 ROW(text_not_a_number, bad_input,
     VYBEG_MESSAGE("Message",
-                  "%1, line %2, column %3: \"%4\" is not a number. Correct it, or write nan for a "
-                  "missing sample."))
+                  "%1, line %2, column %3: \"%4\" is not a number. Correct it; a missing sample, but "
+                  "no time, may be written as nan."))
 ROW(text_no_data, bad_input,
     VYBEG_MESSAGE(
         "Message",

@@ -277,6 +277,7 @@ private:
         constexpr std::array<std::uint16_t, 5> unpacked = {1, 3, 6, 7, 0xFFFE};
         const auto tag = load<std::uint16_t>(chunk.payload, big_endian_);
         const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
+        extent_.packed_as = known ? 0 : tag;
         frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
         constexpr std::uint16_t extensible = 0xFFFE;  // the tag of integers stands further behind
         const auto kind =

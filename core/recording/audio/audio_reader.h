@@ -45,7 +45,8 @@ struct AudioExtent {
     std::optional<std::int64_t> promised_frames;
     // Position of the first sample in a WAV, RF64 or W64 file, bytes; 0 without one.
     std::int64_t samples_at = 0;
-    int bits = 0;  // of integers in a WAV, RF64, W64 or AIFF file
+    int bits = 0;       // of integers in a WAV, RF64, W64 or AIFF file
+    int packed_as = 0;  // code of a WAV file's packed encoding; 0: its samples are numbers
     // Of an AIFF or CAF file, whose rate may have a fraction, which the decoder drops.
     std::optional<double> rate_hz;
     bool rate_is_zero = false;  // in a WAV, RF64 or W64 file; patched to 1 Hz

@@ -70,7 +70,8 @@ public:
         }
     }
 
-    Status open() {
+    // `packed_as`: AudioExtent.
+    Status open(int packed_as) {
         static SF_VIRTUAL_IO calls = {
             [](void* data) { return patched(data).size(); },
             [](sf_count_t offset, int whence, void* data) {
@@ -82,6 +83,11 @@ public:
             [](const void*, sf_count_t, void*) -> sf_count_t { return 0; },
             [](void* data) { return patched(data).position; }};
         handle_ = sf_open_virtual(&calls, SFM_READ, &info_, &bytes_);
+        if (!handle_ && packed_as != 0) {
+            return bytes_.file->unsupported("WAV",
+                                            VYBEG_MESSAGE("Words", "samples in the encoding %1"),
+                                            {count_arg(packed_as)});
+        }
         if (!handle_) {
             return damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));
         }
@@ -146,7 +152,7 @@ private:
         if (sf_error(handle_) != SF_ERR_NO_ERROR) {
             return damaged(
                 words(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
-                      {count_arg(first_)}));
+                      {count_arg(first_ + std::max<std::int64_t>(got, 0))}));
         }
         if (got != frames) {
             return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
@@ -217,7 +223,7 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
     }
     const auto header = TRY(audio_extent(*file));
     auto audio = std::make_unique<AudioFile>(PatchedBytes{std::move(file), header.patches, tag});
-    TRY(audio->open());
+    TRY(audio->open(header.packed_as));
     return std::unique_ptr<HelperFile>(std::move(audio));
 }
 

@@ -382,6 +382,7 @@ RecordingFormat format_of(const TextFormat& format) {
 namespace {
 
 constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
+constexpr std::size_t longest_comment = 4096;             // of it, bytes
 constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
 
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
@@ -485,8 +486,9 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
         if (!line) {
             break;
         }
-        head.lines.emplace_back(*line);
-        bytes += line->size() + 1;
+        // However long a comment is, the rows below it count.
+        head.lines.emplace_back(line->starts_with('#') ? line->substr(0, longest_comment) : *line);
+        bytes += head.lines.back().size() + 1;
     }
     return head;
 }

@@ -176,8 +176,8 @@ private slots:
         const Error error{
             .code = ErrorCode::text_not_a_number, .where = "run.csv", .args = {"12", "3", "1,5"}};
         QCOMPARE(english(error),
-                 "run.csv, line 12, column 3: \"1,5\" is not a number. Correct it, or write nan "
-                 "for a missing sample.");
+                 "run.csv, line 12, column 3: \"1,5\" is not a number. Correct it; a missing "
+                 "sample, but no time, may be written as nan.");
     }
 
     void a_diagnostic_reads_as_a_sentence() {

@@ -120,6 +120,17 @@ private slots:
         QVERIFY(same_bits(read.d, std::span(whole.d).first(999)));
     }
 
+    void an_encoding_that_no_decoder_knows_is_no_damage() {
+        const Folder folder;
+        write_audio(folder.file("run"), wave(10), SF_FORMAT_WAV | SF_FORMAT_PCM_16);
+        std::string bytes = bytes_of(folder.file("run"));
+        bytes[bytes.find("fmt ") + 8] = 0x55;  // MPEG layer 3
+        const auto refused = open(folder.write("packed", bytes));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::format_unsupported);
+        QVERIFY(english(refused.error()).find("samples in the encoding 85") != std::string::npos);
+    }
+
     void an_empty_data_chunk_before_others_is_empty() {
         const Folder folder;
         write_audio(folder.file("run"), wave(10), SF_FORMAT_WAV | SF_FORMAT_PCM_16);

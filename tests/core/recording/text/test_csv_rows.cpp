@@ -39,6 +39,20 @@ class TestCsvRows : public QObject {
     }
 
 private slots:
+    void a_field_with_a_zero_byte_and_a_line_without_end_are_refused() {
+        QVERIFY(fault(std::string("file,set\na.wav\0x,A\n", 19))
+                    .contains("line 2, column \"file\": it holds a zero byte"));
+        const std::string endless(3 << 20, 'x');
+        QVERIFY(fault("file,set\na.wav,A\n" + endless).contains("line 3"));
+        QVERIFY(fault("file,set\na.wav,A\n" + endless).contains("the line is longer than 1 MiB"));
+        std::string many = "set";
+        for (int k = 0; k < 2000; ++k) {
+            many += ",column" + std::to_string(k);
+        }
+        const QString named = fault(many + "\n");
+        QVERIFY2(named.contains("column10, ...") && named.size() < 300, qPrintable(named));
+    }
+
     void the_dialects_of_spreadsheets_read_alike_data() {
         QTest::addColumn<QByteArray>("text");
         const auto row = [](const char* name, const QByteArray& text) {

@@ -295,6 +295,16 @@ private slots:
         QCOMPARE(ignored->args, std::vector<MessageArg>{"2"});
     }
 
+    void the_length_of_a_comment_above_the_rows_does_not_count() {
+        const Folder folder;
+        const Recording recording =
+            opened(folder.write("run", "# " + std::string(300000, 'x') +
+                                           "\nC,D\n1,2\n3,4\n5,6\n7,8\n9,10\n"),
+                   at_1000_hz());
+        QCOMPARE(read_all(recording).c, (std::vector<double>{1, 3, 5, 7, 9}));
+        QCOMPARE(recording.channels[1].name, std::string("D"));
+    }
+
     void rows_of_delimiters_among_times_are_passed_over_data() {
         QTest::addColumn<QString>("after");
         QTest::newRow("in the middle") << ",,\n0.200,7,8\n";
