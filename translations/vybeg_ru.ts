@@ -1572,6 +1572,10 @@
         <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
     </message>
     <message>
+        <source>By their own times the sample rate of channel D is %1 ppm above that of channel C; D was interpolated to C&apos;s times. Where both have one clock, their times are wrong, and so is the phase between the channels.</source>
+        <translation>По собственным временам каналов частота отсчётов D на %1 ppm выше, чем у C; D интерполирован на времена C. Если часы у каналов общие, то времена неверны, а с ними и фаза между каналами.</translation>
+    </message>
+    <message>
         <source>Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or a wave below one bit. Windows over them are flagged.</source>
         <translation>Оба канала неподвижны период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна над ними отмечены.</translation>
     </message>
@@ -3711,8 +3715,8 @@
         <translation>в столбце %1 опорная частота %2, а --f-ref задаёт %3: уберите --f-ref или исправьте</translation>
     </message>
     <message>
-        <source>its reference is %1, that of channel C %2: record both with one oscillator</source>
-        <translation>его опорная частота %1, а у канала C %2: запишите оба канала с одним генератором</translation>
+        <source>the reference of channel D is %1, that of channel C %2: record both with one oscillator</source>
+        <translation>опорная частота канала D %1, а канала C %2: запишите оба канала с одним генератором</translation>
     </message>
     <message>
         <source>FILE</source>
@@ -4381,6 +4385,18 @@
     <message>
         <source>samples in the encoding %1</source>
         <translation>отсчёты в кодировании %1</translation>
+    </message>
+    <message>
+        <source>the phase in column %1 goes on by the whole carrier, %2: it is relative to no reference; leave --f-ref out</source>
+        <translation>фаза в столбце %1 идёт со всей несущей, %2: она не относительно опоры; не задавайте --f-ref</translation>
+    </message>
+    <message>
+        <source>column %1 holds deviations of a frequency: give the frequency by --f-ref</source>
+        <translation>в столбце %1 отклонения частоты: задайте частоту параметром --f-ref</translation>
+    </message>
+    <message>
+        <source>the heading of column &quot;%1&quot; has another unit (%2): leave the option out, or correct it</source>
+        <translation>в заголовке столбца «%1» другая единица (%2): не задавайте параметр или исправьте его</translation>
     </message>
     <message>
         <source>the line is longer than 1 MiB</source>

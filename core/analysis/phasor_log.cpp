@@ -61,7 +61,7 @@ Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptio
     const auto wishes = TRY(column_wishes(choice.names, roles));
     auto table = TRY(read_log_columns(path, options, wishes, signal, job));
     for (LogColumn& column : table.columns) {
-        const double hz = column.role == "F" ? hertz_per(column.unit).value_or(1) : 1;
+        const double hz = column.role.starts_with('F') ? hertz_per(column.unit).value_or(1) : 1;
         std::ranges::for_each(column.values, [hz](double& value) { value *= hz; });
     }
     return table;
@@ -100,8 +100,26 @@ bool repeats_phase(const Channel& channel, const LogColumn& phase, double rad) {
     return 10 * own > 9 * phase.values.size() && 2 * turned > phase.values.size();
 }
 
+// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: what
+// it holds of the carrier; 0 of any other phase.
+double carrier_in(double rad, const LogColumn& phase, const std::vector<double>& time_s) {
+    std::vector<double> rates;
+    std::size_t fast = 0;
+    for (std::size_t k = 1; k < time_s.size(); ++k) {
+        const double turns = rad * (phase.values[k] - phase.values[k - 1]) / (2 * pi);
+        if (std::isfinite(turns)) {
+            rates.push_back(turns / (time_s[k] - time_s[k - 1]));
+            fast += std::abs(turns) > 0.5 ? 1U : 0U;
+        }
+    }
+    return 10 * fast > 9 * rates.size() ? median(std::move(rates)) : 0;
+}
+
+// The phasors of a channel at `time_s`, relative to the reference and the frequency `carrier_hz`,
+// which is taken out of its own phase.
 Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const Channel& channel,
-                                        const LogChoice& choice) {
+                                        const LogChoice& choice, const std::vector<double>& time_s,
+                                        double carrier_hz) {
     const PhasorChoice& how = choice.phasors;
     std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
@@ -120,9 +138,31 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
                             {channel.phase->name});
     }
     for (std::size_t k = 0; k < phasors.size(); ++k) {
-        phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
+        const double turns = rad * channel.phase->values[k] / (2 * pi) - carrier_hz * time_s[k];
+        phasors[k] *= std::polar(1.0, 2 * pi * std::remainder(turns, 1.0));
     }
     return phasors;
+}
+
+// Frequency that the own phase of channel C holds of the carrier, Hz; 0: nothing. Errors: those of
+// angle_factor(); setting_invalid where it is that of the reference as well.
+Result<double> carrier_in_phase(const std::filesystem::path& path, const LogColumn* phase,
+                                const LogChoice& choice, const std::vector<double>& time_s) {
+    if (phase == nullptr) {
+        return 0;
+    }
+    const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
+    const double carrier_hz = carrier_in(rad, *phase, time_s);
+    const double f_ref_hz = choice.phasors.f_ref_hz;
+    constexpr double near = 0.05;  // the oscillator is nearer to the wave
+    if (f_ref_hz > 0 && std::abs(carrier_hz / f_ref_hz - 1) < near) {
+        return wrong_choice(choice.phasors,
+                            VYBEG_MESSAGE("Words",
+                                          "the phase in column %1 goes on by the whole carrier, "
+                                          "%2: it is relative to no reference; leave --f-ref out"),
+                            {phase->name, number_arg(carrier_hz, 10, "Hz")});
+    }
+    return carrier_hz;
 }
 
 // A phase beside the phasors that moves, and that the declared frame leaves aside.
@@ -214,9 +254,24 @@ bool is_another(double hz, double other_hz) {
     return std::abs(hz - other_hz) > five_digits * other_hz;
 }
 
-// The reference of the rows, whose phasors it turns where it moves.
+// Channels whose references differ have a phase to each other that nothing tells.
+Status check_references(const PhasorChoice& how, const LogColumn* of_c, const LogColumn* of_d) {
+    if (how.frame != PhasorFrame::common && of_c != nullptr && of_d != nullptr &&
+        is_another(median(of_d->values), median(of_c->values))) {
+        return wrong_choice(how,
+                            VYBEG_MESSAGE("Words",
+                                          "the reference of channel D is %1, that of channel C "
+                                          "%2: record both with one oscillator"),
+                            {number_arg(median(of_d->values), 10, "Hz"),
+                             number_arg(median(of_c->values), 10, "Hz")});
+    }
+    return {};
+}
+
+// The reference of the rows, whose phasors it turns where it moves; `carrier_hz` is in their own
+// phases.
 Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
-             const LogChoice& choice, LogRows& rows) {
+             const LogChoice& choice, double carrier_hz, LogRows& rows) {
     const PhasorChoice& how = choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
@@ -257,13 +312,23 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
         const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
-        rows.f_ref_hz = mean_hz;
+        // An oscillator of less than half the rows' rate is none: these are deviations.
+        const bool deviates = std::abs(mean_hz) < 0.5 / step_of(rows);
+        if (deviates && !(how.f_ref_hz > 0)) {
+            return wrong_choice(how,
+                                VYBEG_MESSAGE("Words",
+                                              "column %1 holds deviations of a frequency: give the "
+                                              "frequency by --f-ref"),
+                                {frequency->name});
+        }
+        rows.f_ref_hz = mean_hz + (deviates ? how.f_ref_hz : 0);
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
     }
     if (!rows.turn.empty()) {
         turn_rows(rows, [&](std::size_t k) { return rows.turn[k]; });
     }
+    rows.f_ref_hz += carrier_hz;
     if (!(rows.f_ref_hz > 0)) {
         return wrong_choice(
             how, VYBEG_MESSAGE("Words",
@@ -293,11 +358,13 @@ Result<LogRows> rows_of_one_table(const std::filesystem::path& path, const OpenO
     if (choice.phasors.frame == PhasorFrame::fixed) {
         TRY(check_left_aside(path, channel("Xc", "Yc", "P"), choice, PhasorFrame::common));
     }
-    auto c = TRY(phasors_of(path, of_c, choice));
+    const double carrier_hz = TRY(carrier_in_phase(path, of_c.phase, choice, rows.time_s));
+    auto c = TRY(phasors_of(path, of_c, choice, rows.time_s, carrier_hz));
     rows.c = std::move(c);
-    auto d = TRY(phasors_of(path, of_d, choice));
+    auto d = TRY(phasors_of(path, of_d, choice, rows.time_s, carrier_hz));
     rows.d = std::move(d);
-    TRY(refer(columns.find("F"), columns.find("P"), path, choice, rows));
+    TRY(check_references(choice.phasors, columns.find("F"), columns.find("Fd")));
+    TRY(refer(columns.find("F"), columns.find("P"), path, choice, carrier_hz, rows));
     return rows;
 }
 
@@ -322,13 +389,20 @@ Result<LogRows> rows_of_two_tables(const std::filesystem::path& path, const Open
         }
     }
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    const auto channel = [&](LogTable& from, const std::filesystem::path& file) {
+    const double carrier_hz =
+        TRY(carrier_in_phase(path, own ? of_c.find("P") : nullptr, choice, of_c.time_s));
+    std::vector<double> by_times_of_c = other;
+    for (double& time_s : by_times_of_c) {
+        time_s += of_d.begun_s - of_c.begun_s;
+    }
+    const auto channel = [&](LogTable& from, const std::filesystem::path& file,
+                             const std::vector<double>& time_s) {
         return phasors_of(file, {from.of("X"), from.of("Y"), own ? from.find("P") : nullptr},
-                          choice);
+                          choice, time_s, carrier_hz);
     };
-    auto c = TRY(channel(of_c, path));
+    auto c = TRY(channel(of_c, path, t));
     rows.c = std::move(c);
-    auto d = TRY(channel(of_d, options.channel_d_file));
+    auto d = TRY(channel(of_d, options.channel_d_file, by_times_of_c));
     rows.d = std::move(d);
     rows.c.resize(count);
     rows.d.resize(count);
@@ -339,18 +413,8 @@ Result<LogRows> rows_of_two_tables(const std::filesystem::path& path, const Open
                                   std::filesystem::path(options.channel_d_file).filename().string(),
                                   count_arg(static_cast<std::int64_t>(other.size()))}});
     }
-    const LogColumn* const f_c = of_c.find("F");
-    const LogColumn* const f_d = of_d.find("F");
-    if (choice.phasors.frame == PhasorFrame::fixed && f_c != nullptr && f_d != nullptr &&
-        is_another(median(f_d->values), median(f_c->values))) {
-        return refused_value("--channel-d", options.channel_d_file,
-                             words(VYBEG_MESSAGE("Words",
-                                                 "its reference is %1, that of channel C %2: "
-                                                 "record both with one oscillator"),
-                                   {number_arg(median(f_d->values), 10, "Hz"),
-                                    number_arg(median(f_c->values), 10, "Hz")}));
-    }
-    TRY(refer(f_c, of_c.find("P"), path, choice, rows));
+    TRY(check_references(choice.phasors, of_c.find("F"), of_d.find("F")));
+    TRY(refer(of_c.find("F"), of_c.find("P"), path, choice, carrier_hz, rows));
     return rows;
 }
 
@@ -501,7 +565,8 @@ std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
             {"Pc", {"Pc", "Input 1 Phase"}, own},
             {"Pd", {"Pd", "Input 2 Phase"}, own},
             {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
-            {"P", {"P"}, false}};
+            {"P", {"P"}, false},
+            {"Fd", {"Input 2 Set Frequency"}, false}};
 }
 
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {

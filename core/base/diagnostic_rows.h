@@ -61,6 +61,11 @@ ROW(channel_delayed, warning,
                   "The times of channel D begin %1 s (%2 samples) after those of channel C; D was "
                   "interpolated to C's times. What its times are wrong by is a phase between the "
                   "channels ({--delay|delay of D})."))
+ROW(channel_clocks_apart, warning,
+    VYBEG_MESSAGE("Message",
+                  "By their own times the sample rate of channel D is %1 ppm above that of channel "
+                  "C; D was interpolated to C's times. Where both have one clock, their times are "
+                  "wrong, and so is the phase between the channels."))
 ROW(pieces_untimed, warning,
     VYBEG_MESSAGE("Message",
                   "The %1 pieces do not tell when they begin: they are taken to follow each other "

@@ -548,13 +548,10 @@ std::pair<double, double> range_of(const LogColumn& column) {
     return {least, most};
 }
 
-Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
-                            double told) {
-    const std::string name = normal_name(column.name);
-    const double half = name.starts_with("twotheta") || name.starts_with("2theta") ? 0.5 : 1;
-    if (told > 0) {
-        return half * told;
-    }
+namespace {
+
+// Rad of the unit of a column of angles, by its heading or the end of its name.
+std::optional<double> angle_unit_of(const LogColumn& column) {
     constexpr double degree = std::numbers::pi / 180;
     static const std::vector<std::pair<std::vector<const char*>, double>> units{
         {{"mrad", "мрад"}, 1e-3},
@@ -569,8 +566,31 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
         if (std::ranges::any_of(spellings, [&](const char* each) {
                 return unit == normal_name(each) || column.name.ends_with(std::string("_") + each);
             })) {
-            return half * rad;
+            return rad;
         }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
+                            double told) {
+    const std::string name = normal_name(column.name);
+    const double half = name.starts_with("twotheta") || name.starts_with("2theta") ? 0.5 : 1;
+    const std::optional<double> unit = angle_unit_of(column);
+    if (told > 0 && unit && std::abs(told / *unit - 1) > 1e-6) {
+        return refused_value("--angle-unit",
+                             told == 1  ? "rad"
+                             : told > 1 ? "cyc"
+                                        : "deg",
+                             words(VYBEG_MESSAGE("Words",
+                                                 "the heading of column \"%1\" has another unit "
+                                                 "(%2): leave the option out, or correct it"),
+                                   {column.name, column.unit}));
+    }
+    if (told > 0 || unit) {
+        return half * (told > 0 ? told : *unit);
     }
     return Error{ErrorCode::angle_unit_unknown,
                  path.string(),

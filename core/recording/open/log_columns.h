@@ -84,7 +84,8 @@ void bring_to_unit_of(const LogColumn& other, LogColumn& column);
 std::pair<double, double> range_of(const LogColumn& column);
 
 // Factor from a column of angles to theta_A in rad: by `told` (rad per unit, 0: not told), else by
-// its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.
+// its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown;
+// setting_invalid where the two differ.
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
                             double told);
 

@@ -252,18 +252,28 @@ Error no_parts(const Recording& one, const std::string& other, const char* what,
     return {ErrorCode::parts_differ, one.path.string(), {other, words(what), of_one, of_other}};
 }
 
-void align_channels(double delay_s, Recording& recording) {
+void align_channels(double delay_s, Recording& recording, double rate_ratio) {
     constexpr double nothing = 1e-3;  // of a sample
-    const double samples = delay_s * recording.rate_hz;
+    const double samples = delay_s * recording.rate_hz * rate_ratio;
     if (std::abs(samples) > nothing) {
-        recording.source = delayed_source(std::move(recording.source), samples);
         recording.diagnostics.push_back(
             {DiagnosticKind::channel_delayed, {number_arg(delay_s), number_arg(samples)}});
+    }
+    if (rate_ratio != 1) {
+        recording.diagnostics.push_back(
+            {DiagnosticKind::channel_clocks_apart, {number_arg(1e6 * (rate_ratio - 1), 4)}});
+    }
+    if (std::abs(samples) > nothing || rate_ratio != 1) {
+        recording.source = delayed_source(std::move(recording.source), samples, 1 - rate_ratio);
     }
 }
 
 Result<Recording> pair_channels(Recording c, Recording d, const std::string& name_d) {
-    if (!same_rates(c, d)) {
+    constexpr double most_apart = 2e-4;
+    const bool alike = same_rates(c, d);
+    const bool timed =
+        c.rate_from == RateOrigin::time_column && d.rate_from == RateOrigin::time_column;
+    if (!alike && (!timed || std::abs(d.rate_hz / c.rate_hz - 1) > most_apart)) {
         return no_parts(c, name_d, VYBEG_MESSAGE("Words", "sample rates"),
                         number_arg(c.rate_hz, 9, "Hz"), number_arg(d.rate_hz, 9, "Hz"));
     }
@@ -292,7 +302,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
     for (FormatPart& part : pair.format) {
         part.count = part.kind == FormatPart::Kind::channels ? 2 : part.count;
     }
-    if (d.rate_relative_sd < c.rate_relative_sd) {
+    if (alike && d.rate_relative_sd < c.rate_relative_sd) {
         pair.rate_hz = d.rate_hz;
         pair.rate_relative_sd = d.rate_relative_sd;
     }
@@ -311,7 +321,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
     if (c.frames() != d.frames()) {
         note_unequal(c.frames(), d.frames(), pair);
     }
-    align_channels(delay_s, pair);
+    align_channels(delay_s, pair, alike ? 1 : d.rate_hz / c.rate_hz);
     return pair;
 }
 

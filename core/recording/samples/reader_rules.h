@@ -76,14 +76,16 @@ bool same_rates(const Recording& one, const Recording& other);
 Error no_parts(const Recording& one, const std::string& other, const char* what,
                const MessageArg& of_one, const MessageArg& of_other);
 
-// D's samples at C's times, where their first times differ: by band-limited interpolation, with the
-// diagnostic channel_delayed.
-void align_channels(double delay_s, Recording& recording);
+// D's samples at C's times, where their first times differ, or, by the factor `rate_ratio` of D's
+// rate to C's, all: by band-limited interpolation, with the diagnostics channel_delayed and
+// channel_clocks_apart.
+void align_channels(double delay_s, Recording& recording, double rate_ratio = 1);
 
 // One recording of two that were opened with one channel each (channel_c == channel_d), whose
 // channels are then C and D, in C's unit. D's samples are brought to C's times; the end of the
 // longer channel is left out (channels_unequal). `name_d` stands for D in a sentence. Errors:
-// parts_differ for unlike sample rates or starts, and for times that have nothing in common.
+// parts_differ for unlike sample rates, but for those of two time columns up to 200 ppm, unlike
+// starts, and times that have nothing in common.
 Result<Recording> pair_channels(Recording c, Recording d, const std::string& name_d);
 
 // The file beside a channel's file that holds the other channel by its name: the next number

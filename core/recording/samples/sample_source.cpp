@@ -95,32 +95,57 @@ std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSo
 }
 
 std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
-                                                   double delay_samples) {
+                                                   double delay_samples, double drift) {
+    constexpr double step = 2e-4;
     const std::int64_t frames = source->frames();
-    // A shift by the whole recording leaves as little of it as any larger one.
-    const auto most = static_cast<double>(frames);
-    const FractionalDelay delay(std::clamp(delay_samples, -most, most));
-    const auto read = [source, frames, delay](std::int64_t first, std::span<double> c,
-                                              std::span<double> d) -> Status {
-        const std::int64_t before = delay.reach_before();
-        const std::int64_t after = delay.reach_after();
+    // Frames of one delay, which do not depend on what is read.
+    const std::int64_t piece =
+        drift == 0 ? std::max<std::int64_t>(frames, 1)
+                   : std::clamp<std::int64_t>(std::llround(step / std::abs(drift)), 1, frames + 1);
+    const auto delay_at = [=](std::int64_t frame) {
+        const double middle =
+            static_cast<double>(frame / piece * piece) + static_cast<double>(piece - 1) / 2;
+        // A shift by the whole recording leaves as little of it as any larger one.
+        const auto most = static_cast<double>(frames);
+        return FractionalDelay(std::clamp(delay_samples + drift * middle, -most, most));
+    };
+    const auto read = [=](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
         std::ranges::fill(c, missing_sample);
         std::ranges::fill(d, missing_sample);
-        const std::int64_t begin = std::max(first, before);
-        const std::int64_t end = std::min(first + std::ssize(c), frames - after);
-        // Blocks bound the memory of a long read, and are never short beside what is read twice.
-        const std::int64_t block = std::max<std::int64_t>(1 << 16, before + after);
+        const std::int64_t end = first + std::ssize(c);
         std::vector<double> raw_c;
         std::vector<double> raw_d;
-        for (std::int64_t at = begin; at < end; at += block) {
-            const std::int64_t length = std::min(block, end - at);
-            raw_c.resize(static_cast<std::size_t>(before + length + after));
+        for (std::int64_t at = first; at < end;) {
+            // Blocks bound the memory of a long read, and are never short beside what is read
+            // twice.
+            const FractionalDelay nearly = delay_at(at);
+            const std::int64_t least = nearly.reach_before() + nearly.reach_after();
+            const std::int64_t block_end =
+                std::min(at + std::max<std::int64_t>(1 << 16, least), end);
+            const FractionalDelay last = delay_at(block_end - 1);
+            // A whole delay, which needs no neighbours, may change to one that does.
+            const std::int64_t beside = drift == 0 ? 0 : 64;
+            const std::int64_t from = std::max<std::int64_t>(
+                at - std::max(nearly.reach_before(), last.reach_before()) - beside, 0);
+            const std::int64_t to = std::min(
+                block_end + std::max(nearly.reach_after(), last.reach_after()) + beside, frames);
+            raw_c.resize(static_cast<std::size_t>(std::max<std::int64_t>(to - from, 0)));
             raw_d.resize(raw_c.size());
-            TRY(source->read(at - before, raw_c, raw_d));
-            std::copy_n(raw_c.begin() + before, length, c.begin() + (at - first));
-            delay.apply(
-                raw_d, before,
-                d.subspan(static_cast<std::size_t>(at - first), static_cast<std::size_t>(length)));
+            TRY(source->read(from, raw_c, raw_d));
+            while (at < block_end) {
+                const FractionalDelay delay = delay_at(at);
+                const std::int64_t piece_end = std::min(at / piece * piece + piece, block_end);
+                const std::int64_t begin = std::max(at, delay.reach_before());
+                const std::int64_t count =
+                    std::min(piece_end, frames - delay.reach_after()) - begin;
+                if (count > 0) {
+                    std::copy_n(raw_c.begin() + (begin - from), count, c.begin() + (begin - first));
+                    delay.apply(raw_d, begin - from,
+                                d.subspan(static_cast<std::size_t>(begin - first),
+                                          static_cast<std::size_t>(count)));
+                }
+                at = piece_end;
+            }
         }
         return {};
     };

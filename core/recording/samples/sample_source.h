@@ -81,8 +81,9 @@ std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> piece
 
 // The source with channel D so many samples later: D(k) = S_D(k - delay), by band-limited
 // interpolation. Frames that it does not reach are NaN. A delay beyond the recording leaves none.
+// The delay grows by `drift` samples a sample, in steps below 2e-4 samples.
 std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
-                                                   double delay_samples);
+                                                   double delay_samples, double drift = 0);
 
 // Samples that a source computes in one go.
 struct SampleBlock {
