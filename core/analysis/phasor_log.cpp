@@ -144,7 +144,7 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
     return phasors;
 }
 
-// Frequency that the own phase of channel C holds of the carrier, Hz; 0: nothing. Errors: those of
+// Frequency that a phase holds of the carrier, Hz; 0: nothing. Errors: those of
 // angle_factor(); setting_invalid where it is that of the reference as well.
 Result<double> carrier_in_phase(const std::filesystem::path& path, const LogColumn* phase,
                                 const LogChoice& choice, const std::vector<double>& time_s) {
@@ -304,10 +304,12 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-        for (const double angle : phase->values) {
-            rows.turn.push_back(std::polar(1.0, rad * angle));
+        carrier_hz = TRY(carrier_in_phase(path, phase, choice, rows.time_s));
+        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+            const double turns = rad * phase->values[k] / (2 * pi) - carrier_hz * rows.time_s[k];
+            rows.turn.push_back(std::polar(1.0, 2 * pi * std::remainder(turns, 1.0)));
         }
-        if (frequency != nullptr && rows.f_ref_hz == 0) {
+        if (frequency != nullptr && rows.f_ref_hz + carrier_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {

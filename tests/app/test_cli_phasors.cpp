@@ -267,6 +267,61 @@ private slots:
         QVERIFY2(refused.err.contains(asked.toUtf8()), refused.err);
     }
 
+    // Phases that go on by the whole carrier, as a counter has them, are relative to no reference;
+    // a column of deviations needs one.
+    void absolute_phases_and_deviations_of_a_frequency() {
+        // Empty where the command fails.
+        const auto found = [&](const QString& name, const QStringList& more) {
+            const Outcome read =
+                run("identify -o - --y-sign + --amplitude peak", more + QStringList{name});
+            return json_of(read)["runs"][0]["wave"]["f_hz"].toObject();
+        };
+        // Adds `hz` times the time, or a number, to the columns from `first` on.
+        const auto with = [](const QByteArray& log, qsizetype first, double hz, double number) {
+            QList<QByteArray> rows = log.split('\n');
+            for (qsizetype k = 1; k < rows.size() && !rows[k].isEmpty(); ++k) {
+                QList<QByteArray> fields = rows[k].split(',');
+                for (qsizetype i = first; i < fields.size(); ++i) {
+                    fields[i] = QByteArray::number(
+                        fields[i].toDouble() + hz * fields[0].toDouble() + number, 'g', 15);
+                }
+                rows[k] = fields.join(',');
+            }
+            return rows.join('\n');
+        };
+        const LockIn filter{4, 30, 150};
+        const QString reference = QString::number(f_ref_hz);
+        for (const auto& [frame, name] :
+             {std::pair{Frame::pll, "pll"}, std::pair{Frame::common_phase, "common"}}) {
+            const QByteArray log = log_of_run(0, filter, frame);
+            write("relative.csv", log);
+            const double turn = frame == Frame::pll ? 1 : 2 * pi;
+            write("absolute.csv", with(log, 5, f_ref_hz * turn, 0));
+            const QJsonObject expected =
+                found("relative.csv", {"--phasors", name, "--f-ref", reference});
+            const QJsonObject here = found("absolute.csv", {"--phasors", name});
+            VYBEG_LESS(std::abs(here["value"].toDouble() - expected["value"].toDouble()),
+                       0.05 * expected["sd"].toDouble());
+            const Outcome both =
+                run("identify absolute.csv --y-sign + --amplitude peak --f-ref 5300.1 --phasors",
+                    {name});
+            QCOMPARE(both.status, 2);
+            QVERIFY2(both.err.contains("it is relative to no reference"), both.err);
+        }
+        const QByteArray moving = log_of_run(0, filter, Frame::common_frequency);
+        write("moving.csv", moving);
+        write("deviations.csv", with(moving, 5, 0, -f_ref_hz));
+        const QJsonObject whole = found("moving.csv", {"--phasors", "common"});
+        const QJsonObject sum =
+            found("deviations.csv", {"--phasors", "common", "--f-ref", reference});
+        VYBEG_LESS(std::abs(sum["value"].toDouble() - whole["value"].toDouble()),
+                   0.05 * whole["sd"].toDouble());
+        const Outcome open =
+            run("identify deviations.csv --y-sign + --amplitude peak --phasors common");
+        QCOMPARE(open.status, 2);
+        QVERIFY2(open.err.contains("column F holds deviations of a frequency"), open.err);
+    }
+
     // Rows much faster than the filter repeat its noise: half of such logs had a knock or a step.
     void rows_within_the_memory_of_a_filter_raise_no_word() {
         for (int set = 0; set < 6; ++set) {

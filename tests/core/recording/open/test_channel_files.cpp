@@ -173,6 +173,37 @@ private slots:
         check_signals(recording, 0, 200);
     }
 
+    // Two recorders whose clocks were set by a third: their times tell how the rates differ.
+    void rates_that_differ_by_their_own_times_are_brought_together() {
+        const Folder folder;
+        for (const double ppm : {100.0, -37.0, 2.0}) {
+            const auto c = folder.write("c.csv", table("t,C", 40000, 0.5, {signal_c}));
+            const auto d = folder.write(
+                "d.csv", table("t,D", 40000, 0.5003, {signal_d}, (1 - 1e-6 * ppm) / rate));
+            OpenOptions options;
+            options.channel_d_file = d.string();
+            const Recording recording = opened(c, options);
+            const Diagnostic* told = find(recording, DiagnosticKind::channel_clocks_apart);
+            QVERIFY(told);
+            VYBEG_CLOSE(std::stod(english(told->args[0])), ppm, 0.1);
+            const Samples samples = read_all(recording);
+            std::int64_t present = 0;
+            for (std::size_t i = 0; i < samples.c.size(); ++i) {
+                const double t_s = 0.5 + static_cast<double>(i) / rate;
+                if (!std::isnan(samples.d[i])) {
+                    ++present;
+                    VYBEG_CLOSE(samples.d[i], signal_d(t_s), 2e-4, "D");
+                }
+            }
+            VYBEG_AT_LEAST(present, 39900);
+            // A part has the same bits as the whole.
+            std::vector<double> part_c(1000);
+            std::vector<double> part_d(1000);
+            QVERIFY(recording.source->read(20003, part_c, part_d));
+            QVERIFY(std::ranges::equal(part_d, std::span(samples.d).subspan(20003, 1000)));
+        }
+    }
+
     void files_that_do_not_belong_together_are_refused_with_both_values() {
         const Folder folder;
         const auto c = folder.write("c.csv", table("t,C", 600, 0, {signal_c}));
