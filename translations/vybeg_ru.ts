@@ -1572,6 +1572,10 @@
         <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
     </message>
     <message>
+        <source>The angle of %1 jumps by %2 degrees at %3 s, as where the controller&apos;s reference was set anew or a row is false (places: %4). The stretches between the jumps are fitted apart.</source>
+        <translation>Угол в %1 скачком меняется на %2° при %3 с, как при новой установке опоры регулятора или ложной строке (мест: %4). Отрезки между скачками подобраны отдельно.</translation>
+    </message>
+    <message>
         <source>By their own times the sample rate of channel D is %1 ppm above that of channel C; D was interpolated to C&apos;s times. Where both have one clock, their times are wrong, and so is the phase between the channels.</source>
         <translation>По собственным временам каналов частота отсчётов D на %1 ppm выше, чем у C; D интерполирован на времена C. Если часы у каналов общие, то времена неверны, а с ними и фаза между каналами.</translation>
     </message>

@@ -241,6 +241,11 @@ ROW(turn_one_way, warning,
         "turns a "
         "fourth harmonic of %1, which u holds. A log of the opposite turn tells it from the "
         "drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}."))
+ROW(angle_jumps, warning,
+    VYBEG_MESSAGE("Message",
+                  "The angle of %1 jumps by %2 degrees at %3 s, as where the controller's reference "
+                  "was set anew or a row is false (places: %4). The stretches between the jumps are "
+                  "fitted apart."))
 ROW(angle_of_quarter, warning,
     VYBEG_MESSAGE("Message",
                   "%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of "

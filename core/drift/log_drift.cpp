@@ -309,6 +309,7 @@ Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job) {
     }
     BinnedLog binned;
     binned.period = angle.period;
+    binned.jumps = angle.jumps;
     binned.bins = fit.bins(found);
     binned.drift = {log.name,
                     log.time_s.back() - log.time_s.front(),

@@ -63,7 +63,8 @@ struct LogBin {
 struct BinnedLog {
     LogDrift drift;
     std::vector<LogBin> bins;
-    double period = 0;  // of its angle, as UnwrappedAngle::period
+    double period = 0;                     // of its angle, as UnwrappedAngle::period
+    std::optional<Diagnostic> jumps = {};  // likewise
 };
 Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job);
 

@@ -414,6 +414,10 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
         if (binned.period == quarter) {
             found.warnings.push_back({DiagnosticKind::angle_of_quarter, {log.name}});
         }
+        if (binned.jumps) {
+            binned.jumps->args.insert(binned.jumps->args.begin(), log.name);
+            found.warnings.push_back(std::move(*binned.jumps));
+        }
         found.logs.push_back(std::move(binned.drift));
         bins.push_back(std::move(binned.bins));
         job.report(static_cast<double>(found.logs.size()) / static_cast<double>(logs.size()));

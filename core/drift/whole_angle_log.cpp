@@ -143,6 +143,68 @@ bool is_period(double angle) {
     });
 }
 
+// Ends a stretch where the angle goes on by far more than it does between other rows: at a new
+// reference of the controller, or on either side of a false row, which is left out.
+void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
+    constexpr double deviations = 15;
+    constexpr double beyond_most = 3;  // a rate that changes is no jump
+    constexpr double most = 0.98;
+    constexpr double normal = 1.4826;  // sd of a median deviation
+    const auto beyond = [&](const AngleStretch& stretch, std::size_t k) {
+        const double seconds = stretch.time_s[k] - stretch.time_s[k - 1];
+        const double turned = stretch.theta[k] - stretch.theta[k - 1] - usual.rate * seconds;
+        return seconds > 1.5 * usual.step_s ? 0 : turned;
+    };
+    std::vector<double> sizes;
+    for (const AngleStretch& stretch : angle.stretches) {
+        for (std::size_t k = 1; k < stretch.theta.size(); ++k) {
+            sizes.push_back(std::abs(beyond(stretch, k)));
+        }
+    }
+    constexpr std::size_t least_rows = 50;
+    if (sizes.size() < least_rows) {
+        return;
+    }
+    const auto high =
+        sizes.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(sizes.size()));
+    std::ranges::nth_element(sizes, high);
+    const double limit =
+        std::max(beyond_most * *high, deviations * normal * median(std::vector(sizes)));
+    std::vector<AngleStretch> cut;
+    std::int64_t jumps = 0;
+    for (AngleStretch& stretch : angle.stretches) {
+        cut.emplace_back();
+        const auto is_far = [&](std::size_t k) {
+            return k > 0 && k < stretch.rows.size() && std::abs(beyond(stretch, k)) > limit;
+        };
+        for (std::size_t k = 0; k < stretch.rows.size(); ++k) {
+            // Three one behind the other are another rate.
+            const bool another_rate = (is_far(k + 1) && (is_far(k + 2) || is_far(k - 1))) ||
+                                      (k > 2 && is_far(k - 1) && is_far(k - 2));
+            if (is_far(k) && !another_rate) {
+                const double jump = beyond(stretch, k);
+                constexpr double degree = std::numbers::pi / 180;
+                if (jumps++ == 0) {
+                    angle.jumps = {
+                        DiagnosticKind::angle_jumps,
+                        {number_arg(jump / degree, 3), number_arg(stretch.time_s[k], 7)}};
+                }
+                if (cut.back().rows.size() == 1) {
+                    cut.pop_back();
+                }
+                cut.emplace_back();
+            }
+            cut.back().rows.push_back(stretch.rows[k]);
+            cut.back().time_s.push_back(stretch.time_s[k]);
+            cut.back().theta.push_back(stretch.theta[k]);
+        }
+    }
+    if (jumps > 0) {
+        angle.jumps->args.push_back(count_arg(jumps));
+        angle.stretches = std::move(cut);
+    }
+}
+
 const std::vector<ColumnRole>& log_roles() {
     static const std::vector<ColumnRole> roles{
         {"t", {"t", "t_s", "time", "time_s", "время"}, false},
@@ -189,6 +251,7 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
         stretch.time_s.push_back(log.time_s[row]);
         stretch.theta.push_back(theta);
     }
+    cut_at_jumps(usual, found);
     for (const AngleStretch& stretch : found.stretches) {
         const auto [least, most] = std::ranges::minmax(stretch.theta);
         found.turn = std::max(found.turn, most - least);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/analysis/identify_settings.h"
+#include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,8 @@ struct UnwrappedAngle {
     double turn = 0;
     // A wrapped angle goes on by an eighth of a turn or more from row to row: how far is unknown.
     bool too_fast = false;
+    // angle_jumps, where a stretch ends for that; without the log's name.
+    std::optional<Diagnostic> jumps = {};
     // By which the angle comes back, rad, where it wraps at no quarter, half or whole turn: its
     // unit is another one. 0: it does not.
     double odd_period = 0;
@@ -46,7 +50,8 @@ struct UnwrappedAngle {
 
 // The angle of a log, made continuous. An angle that the controller wraps comes back by whole
 // quarters of a turn, whatever its period; across a gap it is the nearest one to the turn so far,
-// and where the gap is too long for that a new stretch begins. An angle beyond one turn is whole.
+// and where the gap is too long for that a new stretch begins, as where the angle jumps. An angle
+// beyond one turn is whole.
 UnwrappedAngle unwrapped_angle(const WholeAngleLog& log);
 
 // Whether a text names the columns of a whole-angle log: t, theta, amplitude, quadrature as

@@ -105,6 +105,43 @@ private slots:
         }
     }
 
+    // A reference that is set anew, a false row: they made the deviations a thousand times larger.
+    void an_angle_that_jumps_is_told_and_left_out() {
+        for (const double jump : {pi / 2, 0.2, -0.05}) {
+            for (const bool row_alone : {false, true}) {
+                HeldLoop loop = loop_of();
+                WholeAngleLog log = simulated_log(loop, "jumps.csv");
+                const WholeAngleDrift whole = drift_of({log});
+                const std::size_t at = 2100;
+                for (std::size_t k = at; k < (row_alone ? at + 1 : log.theta.size()); ++k) {
+                    log.theta[k] += jump;
+                }
+                const WholeAngleDrift found = drift_of({log});
+                if (row_alone) {
+                    VYBEG_LESS(worst_deviation(found, loop), 4.5);
+                } else {  // the harmonics are those of another angle from there on
+                    VYBEG_LESS(std::abs(found.harmonics[0].value - loop.turn), 2e-5);
+                }
+                VYBEG_LESS(found.harmonics[0].sd, 30 * whole.harmonics[0].sd);
+                QCOMPARE(found.warnings.size(), std::size_t{1});
+                QVERIFY(found.warnings[0].kind == DiagnosticKind::angle_jumps);
+                QCOMPARE(found.warnings[0].args[0], MessageArg("jumps.csv"));
+                VYBEG_LESS(std::abs(std::stod(english(found.warnings[0].args[2])) - log.time_s[at]),
+                           0.11);
+                QCOMPARE(found.warnings[0].args[3], count_arg(row_alone ? 2 : 1));
+            }
+        }
+        // A wave that stands still at the end is none.
+        HeldLoop loop = loop_of();
+        WholeAngleLog log = simulated_log(loop);
+        for (std::size_t k = log.theta.size() - 60; k < log.theta.size(); ++k) {
+            log.theta[k] = log.theta[log.theta.size() - 61];
+        }
+        QVERIFY(std::ranges::none_of(drift_of({log}).warnings, [](const Diagnostic& told) {
+            return told.kind == DiagnosticKind::angle_jumps;
+        }));
+    }
+
     void a_whole_angle_may_go_far_from_row_to_row_and_a_wrapped_one_may_not() {
         HeldLoop loop = loop_of();
         loop.rate_hz = 1;
