@@ -74,7 +74,7 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
     for (std::int64_t s = 0; s < segments; ++s) {
         TRY(job.go_on());
         TRY(prepared.ahead->read(first + s * step, c, d));
-        bool whole = true;
+        bool whole = !stand_still(c, d, least_still_frames(prepared.f0_hz, rate_hz));
         for (std::size_t j = 0; j < size; ++j) {
             whole = whole && std::isfinite(c[j]) && std::isfinite(d[j]);
             data[j] = {weights[j] * c[j], weights[j] * d[j]};

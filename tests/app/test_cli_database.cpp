@@ -281,7 +281,7 @@ private slots:
         // The files of the command line have their first one as name, and no gyro.
         const Outcome plain = run("identify a.wav b.wav --database results.db");
         VYBEG_EQUAL(plain.status, 0, plain.err);
-        QVERIFY2(plain.err.contains("a.wav and s1 (gyro G1) have the same recordings"), plain.err);
+        QVERIFY2(plain.err.contains("the result of a.wav alone: s1 (gyro G1) has the same recordings"), plain.err);
         QCOMPARE(rows_by_sqlite(path("results.db"), "SELECT set_name, gyro FROM result"),
                  QStringList("a.wav|"));
     }

@@ -312,6 +312,22 @@ Extent extent_of(std::span<const double> x) {
 
 }  // namespace
 
+std::int64_t least_still_frames(double f0_hz, double rate_hz) {
+    constexpr std::int64_t least = 16;
+    return std::max(least, static_cast<std::int64_t>(std::ceil(rate_hz / f0_hz)) + 1);
+}
+
+bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames) {
+    std::int64_t unmoved = 1;
+    for (std::size_t j = 1; j < c.size(); ++j) {
+        unmoved = c[j] == c[j - 1] && d[j] == d[j - 1] ? unmoved + 1 : 1;
+        if (unmoved >= frames) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void FaultCheck::ChannelSums::add(std::span<const double> x) {
     for (const double value : x) {
         if (std::isfinite(value)) {
@@ -328,8 +344,7 @@ double FaultCheck::ChannelSums::mean() const {
 
 FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
     if (f0_hz) {
-        constexpr std::int64_t least = 16;
-        least_still_ = std::max(least, static_cast<std::int64_t>(std::ceil(rate_hz / *f0_hz)) + 1);
+        least_still_ = least_still_frames(*f0_hz, rate_hz);
         steps_.emplace(*f0_hz, rate_hz);
     }
 }

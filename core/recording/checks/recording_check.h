@@ -44,9 +44,14 @@ struct SampleFaults {
     std::vector<PhaseStep> steps;      // lost and doubled samples, in order
 };
 
-// Finds missing samples, clipping, lost samples, and ranges of a period of the carrier and 16
-// frames at least in which no channel moves: a recorder or a decoder fills lost samples with zeros
-// or with the last one. All in one pass.
+// Frames of the shortest range that stands still: a period of the carrier, 16 at least.
+std::int64_t least_still_frames(double f0_hz, double rate_hz);
+
+// Whether no channel moves over so many frames.
+bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames);
+
+// Finds missing samples, clipping, lost samples, and ranges that stand still: a recorder or a
+// decoder fills lost samples with zeros or with the last one. All in one pass.
 class FaultCheck {
 public:
     // Without a carrier it does not search for lost or still samples.

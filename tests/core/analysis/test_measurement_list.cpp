@@ -394,12 +394,16 @@ private slots:
     }
 
     void numbers_have_the_signs_of_table_programs() {
-        for (const char* number :
-             {"-1022.5", "\u22121\u00A0022,5", "-1022,5 °C", "\u22121022.5°C"}) {
-            const MeasurementList read =
-                list("file;temperature_c\na.wav;" + QByteArray(number) + "\n");
-            QCOMPARE(read.sets[0].recordings[0].conditions.temperature_c, std::optional(-1022.5));
+        const auto temperature = [this](const char* number) {
+            return list("file;temperature_c\na.wav;" + QByteArray(number) + "\n")
+                .sets[0]
+                .recordings[0]
+                .conditions.temperature_c;
+        };
+        for (const char* number : {"-102.5", "\u2212102,5", "-102,5 °C", "\u2212102.5°C"}) {
+            QCOMPARE(temperature(number), std::optional(-102.5));
         }
+        QCOMPARE(temperature("1\u00A0022,5"), std::optional(1022.5));
     }
 
     void options_take_the_answers_and_blanks_of_table_programs() {
