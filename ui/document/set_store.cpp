@@ -402,7 +402,7 @@ void SetStore::identifySet(SetId id) {
     queue_.forget(queue_.keyOfSet(set.id));
     const MeasurementSet wanted = measured(set);
     if (const Status alike = check_conditions(wanted); !alike) {
-        emit reported(errorMessage(alike.error()));
+        refuse(id, alike.error());
         return;
     }
     OpenSet open;
@@ -434,9 +434,26 @@ void SetStore::whenIdentified(int key, Result<SetResult>&& result) {
         emit changed();
         emit identified(id);
     } else if (result.error().code != ErrorCode::interrupted) {
-        emit reported(errorMessage(result.error()));
+        refuse(id, result.error());
     }
     queue_.done(key);
+}
+
+void SetStore::refuse(SetId id, const Error& error) {
+    RecordingSet& set = *entry(id);
+    set.refusal = {measured(set), error};
+    emit reported(errorMessage(error));
+}
+
+const Error* SetStore::refusal(const RecordingSet& set) const {
+    if (!set.refusal) {
+        return nullptr;
+    }
+    const auto& [asked, error] = *set.refusal;
+    const MeasurementSet now = measured(set);
+    return sameMembers(asked.recordings, now.recordings) && asked.settings == now.settings
+               ? &error
+               : nullptr;
 }
 
 bool SetStore::outOfDate(const RecordingSet& set, const SetResult& outcome) const {

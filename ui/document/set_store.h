@@ -81,6 +81,8 @@ public:
     // The newest of a set: with its present recordings and settings where there is one.
     std::shared_ptr<const SetResult> outcome(const RecordingSet& set) const;
     bool outOfDate(const RecordingSet& set, const SetResult& outcome) const;
+    // Why the set as it is now has no result; null: none is known.
+    const Error* refusal(const RecordingSet& set) const;
     // An outcome of the set with the name and the conditions that the set has now.
     SetResult underPresentConditions(const RecordingSet& set, const SetResult& outcome) const;
     // The set as a session keeps it: of its outcomes the newest, otherwise what the session
@@ -126,6 +128,7 @@ private:
     RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
     void whenIdentified(int key, Result<SetResult>&& result);
+    void refuse(SetId id, const Error& error);
 
     BackgroundJobs& job_;
     const SettingsModel& settings_;

@@ -276,6 +276,10 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
         content.title = titleOf(document.sets().measured(*set), content.title);
         content.absent = absentFiles(*set);
         content.outcome = document.sets().outcome(*set);
+        if (const Error* const refusal = document.sets().refusal(*set);
+            refusal && !content.outcome) {
+            content.not_identified = *refusal;
+        }
         content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
     }
     return content;

@@ -428,8 +428,9 @@ QString worstWarnings(const ReportContent& content) {
     std::vector<Finding> findings = findings_of(all);
     findings.resize(count_warnings(findings));
     return smallHeading(ReportWords::tr("Warnings")) +
-           (findings.empty() ? paragraph(ReportWords::tr("None."))
-                             : items(worstOf(findingTexts(findings))));
+           (!findings.empty()        ? items(worstOf(findingTexts(findings)))
+            : content.not_identified ? paragraph(errorText(*content.not_identified))
+                                     : paragraph(ReportWords::tr("None.")));
 }
 
 // Lines for those who answer for the report.

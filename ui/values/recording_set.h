@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -33,6 +34,8 @@ struct RecordingSet {
     // The newest last, with the ids of their recordings. All have the present recordings of the
     // set; otherwise only the last one remains, out of date.
     std::vector<std::shared_ptr<const SetResult>> outcomes;
+    // Why these recordings with these settings have no result; with the set as it was asked for.
+    std::optional<std::pair<MeasurementSet, Error>> refusal;
     // Result that a session brings, shown until the set is identified here.
     QJsonObject kept;              // saved_result_json(); empty: none
     bool kept_up_to_date = false;  // with the recordings and settings of the session

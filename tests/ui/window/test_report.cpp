@@ -337,6 +337,32 @@ private slots:
         QVERIFY2(head.contains(QChar(0x2026)) && head.size() < 200, qPrintable(head));
     }
 
+    void a_set_that_was_refused_has_its_reason() {
+        const QString run = home_.recording("run_1.wav");
+        QVERIFY(QFile::copy(run, home_.path("copy.wav")));
+        openAll({run, home_.path("copy.wav")});
+        const auto first = document().recordings().front().id;
+        const auto second = document().recordings().back().id;
+        document().sets().addToCurrent({first, second});
+        document().sets().identify();
+        const auto refused = [&] {
+            return document().sets().refusal(*document().sets().current());
+        };
+        QVERIFY(QTest::qWaitFor([&] { return refused() != nullptr; }, 60000));
+        const auto subject = reportSubjects(document()).front();
+        const ReportContent content = reportContentOf(document(), subject);
+        QVERIFY(content.not_identified);
+        QVERIFY(content.not_identified->code == ErrorCode::same_recording);
+        const QString path = home_.path("refused.pdf");
+        write({content}, path);
+        const QString page = output("pdftotext", {"-layout", "-l", "1", path, "-"}).simplified();
+        QVERIFY2(page.contains("a recording that is counted twice is no new evidence"),
+                 qPrintable(page));
+        // The reason is none of another set.
+        document().sets().removeFrom(document().sets().current()->id, {second});
+        QVERIFY(!refused());
+    }
+
     void the_report_of_all_sets_has_a_chapter_for_each() {
         openAll({home_.recording("run_1.wav"), home_.recording("run_2.csv")});
         const auto first = document().recordings().front().id;
