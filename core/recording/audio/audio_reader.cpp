@@ -395,7 +395,8 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
                                 ? load<std::int64_t>(size_at, layout.big_endian)
                                 : load<std::uint32_t>(size_at, layout.big_endian);
         if (layout.size_counts_head) {
-            size -= head_bytes;
+            constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+            size = size < least + head_bytes ? size : size - head_bytes;
         }
         const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
         if (is_riff) {

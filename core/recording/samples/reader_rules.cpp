@@ -188,7 +188,7 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     const auto channels = static_cast<int>(found.channels.size());
     TRY(check_channels(file, channels, options));
     const auto rate = TRY(choose_rate(file, found.own_rate, options));
-    TRY(check_frames(file, found.present_frames));
+    TRY(check_frames(file, std::min(found.present_frames, found.frames())));
     Recording recording(std::move(static_cast<Recording&>(found)));
     recording.path = file.path();
     recording.rate_hz = rate.hz;

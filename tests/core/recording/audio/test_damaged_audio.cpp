@@ -120,6 +120,14 @@ private slots:
         QVERIFY(same_bits(read.d, std::span(whole.d).first(999)));
     }
 
+    void a_chunk_of_the_least_size_that_64_bits_hold_is_damage() {
+        const Folder folder;
+        write_audio(folder.file("run"), wave(10), SF_FORMAT_W64 | SF_FORMAT_PCM_16);
+        std::string bytes = bytes_of(folder.file("run"));
+        bytes.replace(bytes.find("fmt ") + 16, 8, std::string(7, '\0') + '\x80');
+        QVERIFY(!open(folder.write("least", bytes)));
+    }
+
     void an_encoding_that_no_decoder_knows_is_no_damage() {
         const Folder folder;
         write_audio(folder.file("run"), wave(10), SF_FORMAT_WAV | SF_FORMAT_PCM_16);

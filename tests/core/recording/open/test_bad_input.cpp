@@ -82,6 +82,9 @@ private slots:
             ErrorCode::text_time_backwards, {"4", "0.15", "0.2"});
         add("four rows", "t,C,D\n0,1,2\n0.1,1,2\n0.2,1,2\n0.3,1,2\n", ErrorCode::too_few_frames,
             {"4", "5"});
+        // Five rows whose times are uneven are four frames of an even grid.
+        add("five uneven rows", "t,C,D\n0.12,1,2\n0.13,1,2\n0.14,1,2\n0.150065,1,2\n0.16,1,2\n",
+            ErrorCode::too_few_frames, {"4", "5"});
         add("no time column", "C,D\n1,2\n2,1\n1,2\n2,1\n1,2\n", ErrorCode::rate_unknown);
         add("number of the row is no time", "n,C,D\n0,5,2\n1,7,2\n2,5,2\n3,7,2\n4,5,2\n5,7,2\n",
             ErrorCode::rate_unknown);
