@@ -401,6 +401,7 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
 // Most portions have no two frames alike in succession, which their count tells fastest.
 void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
                            std::span<const double> d) {
+    opening_ = opening_ < 0 ? first_frame : opening_;
     std::int64_t alike = c[0] == last_[0] && d[0] == last_[1] ? 1 : 0;
     for (std::size_t j = 1; j < c.size(); ++j) {
         alike += static_cast<std::int64_t>((c[j] == c[j - 1]) & (d[j] == d[j - 1]));
@@ -418,7 +419,7 @@ void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
 }
 
 void FaultCheck::close_still() {
-    if (unmoved_.count < least_still_ || least_still_ == 0) {
+    if (unmoved_.count < least_still_ || least_still_ == 0 || unmoved_.first == opening_) {
         return;
     }
     if (still_.size() < ClippingCheck::most_places) {

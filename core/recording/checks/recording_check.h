@@ -51,7 +51,8 @@ std::int64_t least_still_frames(double f0_hz, double rate_hz);
 bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames);
 
 // Finds missing samples, clipping, lost samples, and ranges that stand still: a recorder or a
-// decoder fills lost samples with zeros or with the last one. All in one pass.
+// decoder fills lost samples with zeros or with the last one; what stands still from the first
+// frame on is the silence before the wave. All in one pass.
 class FaultCheck {
 public:
     // Without a carrier it does not search for lost or still samples.
@@ -92,6 +93,7 @@ private:
     std::array<double, 2> last_{
         std::numeric_limits<double>::quiet_NaN(),
         std::numeric_limits<double>::quiet_NaN()};  // sample of each channel
+    std::int64_t opening_ = -1;                     // the first frame
     FrameRange unmoved_;  // the frames before the next that are like the last
     std::vector<FrameRange> still_;
     std::optional<PhaseStepCheck> steps_;
