@@ -198,7 +198,7 @@ Json curve_json(const DriftFunction& drift, const ResonatorFit& fit) {
     std::vector<double> sd;
     std::vector<double> u;
     std::vector<double> fitted;
-    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.shared).matrix();
     for (int k = 0; k <= steps; ++k) {
         theta.push_back((static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2);
         rate.push_back(drift.rate(theta.back()));

@@ -108,7 +108,7 @@ XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
 
 // The curve of the fitted resonator, for comparison.
 XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
-    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.shared).matrix();
     XYSeries curve = dashedLine(ResonatorWords::tr("resonator"), Ink::text);
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = curveAngle(k);

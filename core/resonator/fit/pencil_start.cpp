@@ -126,11 +126,11 @@ Eigen::VectorXd parameters_under(const FitProblem& problem, const SlowRates& rat
     Eigen::VectorXd p = problem.priors.mean;
     for (int k = 0; k < rate_count; ++k) {
         if (problem.priors.sd[k] > 0) {
-            p[k] = rates.*all_rates[static_cast<std::size_t>(k)];
+            p[k] = rates[k];
         }
     }
     SlowRates no_decay = rates;
-    no_decay.decay_per_s = 0;
+    no_decay[decay_at] = 0;
     const SlowDynamics turning(no_decay);
     const SlowDynamics motion(rates);
     for (std::size_t index = 0; index < problem.runs.size(); ++index) {

@@ -44,7 +44,7 @@ using Pair = std::array<Vector2cd, 2>;
 // deviation moves as the wave itself, which also shows the phase that the run's frequency adds.
 template <class Terms>
 Effect driven_effect(const FitProblem& problem, const Posterior& at, const Terms& terms_at) {
-    const SlowDynamics dynamics(vybeg::rates_of(at.p));
+    const SlowDynamics dynamics(at.p);
     Pair moved{Vector2cd::Zero(), Vector2cd::Zero()};
     Pair last = moved;
     Vector2cd before = Vector2cd::Zero();

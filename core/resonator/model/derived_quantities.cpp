@@ -37,10 +37,10 @@ void add_run(const Eigen::VectorXd& p, std::size_t run, const QuantityContext& c
              double f_ref_hz, Eigen::VectorXd& q) {
     const Eigen::VectorXd own = p.segment(context.layout->at(run, 0), own_count);
     const double f = frequency_of(p, run, context);
-    const SlowDynamics dynamics(rates_of(p));
+    const SlowDynamics dynamics(p);
     const Eigen::Vector2cd start =
         dynamics.window_mean(context.runs[run].window_s, own[frequency_at]).inverse() *
-        start_of(own);
+        of_real_parts(own.head<4>());
     const WaveState wave = to_wave_state({start[0], start[1]});
     const auto at = [&](RunQuantity quantity) -> double& {
         return q[quantity_of_run(run, quantity)];
@@ -74,8 +74,7 @@ double QuantityContext::mean_f_ref_hz() const {
 }
 
 std::complex<double> square_half_difference(const Eigen::VectorXd& p) {
-    const SlowDynamics dynamics(rates_of(p));
-    const std::complex<double> s = dynamics.half_difference();
+    const std::complex<double> s = SlowDynamics(p).half_difference();
     return s * s;
 }
 

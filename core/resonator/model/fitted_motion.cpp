@@ -20,10 +20,6 @@ std::vector<Phasors> expected(const FittedMotion& motion, const FittedMotion::Ru
 
 }  // namespace
 
-SlowRates FittedMotion::rates() const {
-    return rates_of(shared);
-}
-
 std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t run,
                                        const std::vector<double>& time_s) {
     return expected(motion, motion.runs[run], motion.shared, time_s);

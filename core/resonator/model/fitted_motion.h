@@ -19,12 +19,10 @@ struct FittedMotion {
         Eigen::VectorXd own;  // parameters.h
     };
 
-    double scale = 1;        // recording units of a scaled unit
-    Eigen::VectorXd shared;  // parameters.h
+    double scale = 1;  // recording units of a scaled unit
+    Eigen::VectorXd
+        shared;  // parameters.h; SlowDynamics(shared) has M without the runs' frequencies
     std::vector<Run> runs;
-
-    // M without the runs' frequencies; with a skew for the free model.
-    SlowRates rates() const;
 };
 
 // Predicted phasors of the run at the given instants, ascending, or of short windows about them: c

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "core/resonator/model/slow_dynamics.h"
-
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -14,13 +12,13 @@ namespace vybeg {
 // channels, common to all runs, then each run's own. The vector always has all parameters; a held
 // one has a prior of width zero.
 
-// Shared parameters. The first rate_count are the rates in M, in the order of all_rates.
+// Shared parameters. The first rate_count are the rates in M (slow_dynamics.h).
 enum SharedParameter : int {
     split_cos_at,      // split cos 4theta_w, Hz
     split_sin_at,      // split sin 4theta_w, Hz
-    damping_cos_at,    // g cos 4theta_tau, 1/s
+    damping_cos_at,    // g cos 4theta_tau, g = 1/tau_1 - 1/tau_2, 1/s
     damping_sin_at,    // g sin 4theta_tau, 1/s
-    rotation_at,       // r, 1/s; d theta_A/dt = -r/2
+    rotation_at,       // r = 2 k Omega, 1/s; d theta_A/dt = -r/2
     free_rotation_at,  // imaginary part of r: zero except in the free model
     decay_at,          // 1/tau, 1/s
     kappa_at,          // gain ratio, D = kappa S_D
@@ -32,6 +30,7 @@ enum SharedParameter : int {
     cubic_at,          // b, Hz per scaled unit^2: isotropic cubic spring
     shared_count
 };
+inline constexpr int rate_count = decay_at + 1;
 
 // A run's own parameters; after them those of each break of the run (phasor_model.h).
 enum OwnParameter : int {

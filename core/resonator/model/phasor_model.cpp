@@ -28,10 +28,6 @@ using RealMap = Eigen::Matrix4d;
 template <int count>
 using RealRows = Eigen::Matrix<double, 4, count, Eigen::RowMajor>;
 
-Real real(const Vector2cd& z) {
-    return {z[0].real(), z[0].imag(), z[1].real(), z[1].imag()};
-}
-
 RealMap real(const Eigen::Matrix2cd& map) {
     RealMap out;
     for (Eigen::Index row = 0; row < 2; ++row) {
@@ -128,10 +124,10 @@ void kick(Motion& motion, const Kick& by, Wanted wanted) {
         return;
     }
     // Changes of z by a phase of u+ and of u-, and gradients of |u+|^2/2 and |u-|^2/2 before.
-    const Real by_phase_plus = real(Vector2cd(i * plus_after, plus_after));
-    const Real by_phase_minus = real(Vector2cd(i * minus_after, -minus_after));
-    const Real of_plus = real(Vector2cd(plus, -i * plus));
-    const Real of_minus = real(Vector2cd(minus, i * minus));
+    const Real by_phase_plus = real_parts({i * plus_after, plus_after});
+    const Real by_phase_minus = real_parts({i * minus_after, -minus_after});
+    const Real of_plus = real_parts({plus, -i * plus});
+    const Real of_minus = real_parts({minus, i * minus});
     const Complex mean = by.half_turn_plus + by.half_turn_minus;
     const Complex apart = i * (by.half_turn_plus - by.half_turn_minus);
     Eigen::Matrix2cd turned;
@@ -159,8 +155,7 @@ public:
             } else if (kind == BreakKind::gain) {
                 factors_.array() *= own_.segment<2>(at_).array().exp();
             } else if (kind == BreakKind::start) {
-                start_ += Vector2cd(Complex(own_[at_], own_[at_ + 1]),
-                                    Complex(own_[at_ + 2], own_[at_ + 3]));
+                start_ += of_real_parts(own_.segment<4>(at_));
                 restarts = true;
             }
             at_ += break_size(kind);
@@ -186,11 +181,11 @@ public:
     MotionSteps(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
                 bool with_cubic, Wanted wanted)
         : run_(run),
-          dynamics_(rates_of(shared)),
+          dynamics_(shared),
           cubic_(shared[cubic_at]),
           steps_(with_cubic),
           wanted_(wanted) {
-        start_ = start_of(own);
+        start_ = of_real_parts(own.head<4>());
         begin_.z = start_;
         now_ = begin_;
     }
@@ -328,7 +323,7 @@ public:
         if (drifts()) {
             const double w2 = run.window_s * run.window_s;
             const Eigen::Matrix2cd m =
-                SlowDynamics(rates_of(shared)).matrix() +
+                SlowDynamics(shared).matrix() +
                 2 * pi * own[frequency_at] * i * Eigen::Matrix2cd::Identity();
             by_offset_ = i * (w2 / 12) * (m - w2 / 60 * m * m * m);
             by_square_ = -w2 / 24;
@@ -349,14 +344,6 @@ private:
     double by_square_ = 0;
 };
 
-// Turns the channels of a run by its angle zero.
-Eigen::Matrix2d turn_of(double two_theta_zero) {
-    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
-    turn_channels(two_theta_zero, turn(0, 0), turn(1, 0));
-    turn_channels(two_theta_zero, turn(0, 1), turn(1, 1));
-    return turn;
-}
-
 // Measured less predicted phasors of a window.
 Vector2cd left_of(const ScaledRun& run, std::size_t window, const Vector2cd& expected) {
     if (!run.phase_lost) {
@@ -374,21 +361,21 @@ void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eig
     PassedBreaks breaks(run, own);
     ChannelFactors channels(run, shared, own);
     const DriftedMean mean(run, shared, own);
-    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
+    const Eigen::Matrix2d turn = run.turn();
     const auto seen = [&](double t, const Vector2cd& z) {
         const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
         return Vector2cd(turn * channels.at(breaks, t).seen(wave));
     };
     if (shared[cubic_at] == 0) {
-        const SlowDynamics dynamics(rates_of(shared));
-        Vector2cd start = start_of(own);
+        const SlowDynamics dynamics(shared);
+        Vector2cd start = of_real_parts(own.head<4>());
         const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
         Walk walk;
         Vector2cd z = start;
         for (std::size_t k = 0; k < windows; ++k) {
             const double t = run.time_s[k];
             if (breaks.pass(t)) {
-                start = start_of(own) + breaks.start();
+                start = of_real_parts(own.head<4>()) + breaks.start();
                 walk = {};
             }
             z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
@@ -420,19 +407,6 @@ Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
     return own;
 }
 
-SlowRates rates_of(const Eigen::VectorXd& shared) {
-    SlowRates rates;
-    for (int k = 0; k < rate_count; ++k) {
-        rates.*all_rates[static_cast<std::size_t>(k)] = shared[k];
-    }
-    return rates;
-}
-
-Vector2cd start_of(const Eigen::VectorXd& own) {
-    return {Complex{own[start_at], own[start_at + 1]},
-            Complex{own[start_at + 2], own[start_at + 3]}};
-}
-
 std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                         const Eigen::VectorXd& own, std::size_t windows) {
     std::vector<Vector2cd> expected;
@@ -458,7 +432,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
     PassedBreaks breaks(run, own);
     ChannelFactors factors(run, shared, own);
     const DriftedMean mean(run, shared, own);
-    const Eigen::Matrix2d turn = turn_of(run.two_theta_zero);
+    const Eigen::Matrix2d turn = run.turn();
     const Eigen::Matrix2d whitened_turn = run.whitening * turn;
     const double kappa = shared[kappa_at];
     for (std::size_t k = 0; k < windows; ++k) {
@@ -475,7 +449,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         const Vector2cd of_channels = channels.seen(wave);
         const Vector2cd expected = turn * of_channels;
         const auto row = static_cast<Eigen::Index>(4 * k);
-        out.residual.segment<4>(row) = real(left_of(run, k, expected));
+        out.residual.segment<4>(row) = real_parts(left_of(run, k, expected));
         Eigen::Matrix2cd seen;
         seen << channels.c, 0, channels.cross, channels.gain;
         const Eigen::Matrix2d to_residual = run.weight[k] * whitened_turn;
@@ -488,7 +462,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         }
         // Of the recorded channels.
         const auto put_channels = [&](int column, const Vector2cd& change) {
-            out.by_parameter.block<4, 1>(row, column) = real(Vector2cd(to_residual * change));
+            out.by_parameter.block<4, 1>(row, column) = real_parts(to_residual * change);
         };
         const auto put_d = [&](int column, const Complex& change) {
             if (wanted[static_cast<std::size_t>(column)]) {
@@ -503,7 +477,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
         put_d(phase_at, i * d_gain);
         put_d(phase_drift_at, i * channels.x * d_gain);
         put_d(gain_drift_at, channels.x / (1 + shared[gain_drift_at] * channels.x) * d_gain);
-        const Real by_phase = real(Vector2cd(to_residual * (i * of_channels)));
+        const Real by_phase = real_parts(to_residual * (i * of_channels));
         out.by_parameter.block<4, 1>(row, own_column(frequency_at)) =
             2 * pi * channels.u * by_phase;
         out.by_parameter.block<4, 1>(row, own_column(drift_at)) =
@@ -524,7 +498,7 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             column += break_size(each.kind);
         }
         if (run.phase_lost) {
-            const Real phase = real(Vector2cd(i * (run.whitening * expected))).normalized();
+            const Real phase = real_parts(i * (run.whitening * expected)).normalized();
             const Eigen::RowVectorXd common =
                 phase.transpose() * out.by_parameter.middleRows<4>(row);
             out.by_parameter.middleRows<4>(row) -= phase * common;
@@ -540,7 +514,8 @@ Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
                             const Eigen::VectorXd& own, std::size_t windows) {
     Eigen::VectorXd residual(static_cast<Eigen::Index>(4 * windows));
     for_expected(run, shared, own, windows, [&](std::size_t k, const Vector2cd& expected) {
-        residual.segment<4>(static_cast<Eigen::Index>(4 * k)) = real(left_of(run, k, expected));
+        residual.segment<4>(static_cast<Eigen::Index>(4 * k)) =
+            real_parts(left_of(run, k, expected));
         return true;
     });
     return residual;

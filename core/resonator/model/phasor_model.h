@@ -69,10 +69,4 @@ Eigen::VectorXd residual_of(const ScaledRun& run, const Eigen::VectorXd& shared,
 double chi_square(const ScaledRun& run, const Eigen::VectorXd& shared, const Eigen::VectorXd& own,
                   std::size_t windows, double most = std::numeric_limits<double>::infinity());
 
-// The rates among the shared parameters.
-SlowRates rates_of(const Eigen::VectorXd& shared);
-
-// z0 among a run's own parameters.
-Eigen::Vector2cd start_of(const Eigen::VectorXd& own);
-
 }  // namespace vybeg

@@ -56,6 +56,13 @@ struct ScaledRun {
     Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();
 
     std::size_t size() const { return time_s.size(); }
+    // Turns the recorded channels by the angle zero.
+    Eigen::Matrix2d turn() const {
+        Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
+        turn_channels(two_theta_zero, turn(0, 0), turn(1, 0));
+        turn_channels(two_theta_zero, turn(0, 1), turn(1, 1));
+        return turn;
+    }
     // Phasors of a window in deviations of its noise, and back.
     Eigen::Vector2cd weighted(std::size_t window, const Eigen::Vector2cd& phasor) const {
         return weight[window] * (whitening * phasor);

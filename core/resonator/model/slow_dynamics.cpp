@@ -77,13 +77,9 @@ SlowRates rates_of(const Matrix& m) {
     const Complex along = (m(0, 0) - m(1, 1)) / 2.0;
     const Complex across = (m(0, 1) + m(1, 0)) / 2.0;
     const Complex turn = (m(0, 1) - m(1, 0)) / 2.0;
-    return {.split_cos_hz = along.imag() / pi,
-            .split_sin_hz = across.imag() / pi,
-            .damping_cos_per_s = -2 * along.real(),
-            .damping_sin_per_s = -2 * across.real(),
-            .rotation_per_s = turn.real(),
-            .skew_per_s = turn.imag(),
-            .decay_per_s = -m.trace().real() / 2};
+    return SlowRates{along.imag() / pi,    across.imag() / pi, -2 * along.real(),
+                     -2 * across.real(),   turn.real(),        turn.imag(),
+                     -m.trace().real() / 2};
 }
 
 Eigen::Vector2cd eigenvalues_of(const Matrix& m) {
@@ -104,10 +100,10 @@ Matrix logarithm(const Matrix& m) {
     return logs.sum() / 2.0 * Matrix::Identity() + along * (m - middle * Matrix::Identity());
 }
 
-SlowDynamics::SlowDynamics(const SlowRates& rates)
-    : decay_(rates.decay_per_s), traceless_(Matrix::Zero()) {
+SlowDynamics::SlowDynamics(const Eigen::Ref<const Eigen::VectorXd>& shared)
+    : decay_(shared[decay_at]), traceless_(Matrix::Zero()) {
     for (std::size_t k = 0; k + 1 < rate_count; ++k) {
-        traceless_ += rates.*all_rates[k] * directions()[k];
+        traceless_ += shared[static_cast<Eigen::Index>(k)] * directions()[k];
     }
     square_ = -traceless_.determinant();
     // N^2 = s^2 I, so that d(s^2) = tr(N dN).

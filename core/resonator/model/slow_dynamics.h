@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/resonator/model/parameters.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -9,31 +11,14 @@
 
 namespace vybeg {
 
-// The rates in M of METHOD section 8, in coordinates in which nothing is singular where the modes
-// coincide:
-//     M = -decay I + i pi Sigma(split) - 1/2 Sigma(damping) + (rotation + i skew) J
+// The rates in M of METHOD section 8, the first of the shared parameters: coordinates in which
+// nothing is singular where the modes coincide:
+//     M = -decay I + i pi Sigma(split) - 1/2 Sigma(damping) + (rotation + i free_rotation) J
 //     Sigma(v) = [[v_cos, v_sin], [v_sin, -v_cos]]        J = [[0, 1], [-1, 0]]
-// A calibrated cos/sin pair of pick-offs has no skew; with it the traceless part is any complex
-// matrix, and M that of the free model. The imaginary part of the trace is each run's own frequency
-// and belongs to the run.
-struct SlowRates {
-    double split_cos_hz = 0;       // split * cos 4theta_w
-    double split_sin_hz = 0;       // split * sin 4theta_w
-    double damping_cos_per_s = 0;  // g * cos 4theta_tau, g = 1/tau_1 - 1/tau_2
-    double damping_sin_per_s = 0;  // g * sin 4theta_tau
-    double rotation_per_s = 0;     // r = 2 k Omega: d theta_A/dt = -r/2
-    double skew_per_s = 0;
-    double decay_per_s = 0;  // 1/tau
-
-    friend bool operator==(const SlowRates&, const SlowRates&) = default;
-};
-
-// Their order in every vector of derivatives.
-inline constexpr int rate_count = 7;
-inline constexpr std::array<double SlowRates::*, rate_count> all_rates{
-    &SlowRates::split_cos_hz,      &SlowRates::split_sin_hz,   &SlowRates::damping_cos_per_s,
-    &SlowRates::damping_sin_per_s, &SlowRates::rotation_per_s, &SlowRates::skew_per_s,
-    &SlowRates::decay_per_s};
+// A calibrated cos/sin pair of pick-offs has no free rotation; with it the traceless part is any
+// complex matrix, and M that of the free model. The imaginary part of the trace is each run's own
+// frequency and belongs to the run.
+using SlowRates = Eigen::Matrix<double, rate_count, 1>;
 
 // The rates of a matrix; the imaginary part of its trace is not among them.
 SlowRates rates_of(const Eigen::Matrix2cd& m);
@@ -49,7 +34,8 @@ Eigen::Matrix2cd logarithm(const Eigen::Matrix2cd& m);
 // which is even in s: where the modes coincide (s = 0) it is a series in s^2 t^2.
 class SlowDynamics {
 public:
-    explicit SlowDynamics(const SlowRates& rates);
+    // Of `shared` the rates count.
+    explicit SlowDynamics(const Eigen::Ref<const Eigen::VectorXd>& shared);
 
     // M, 1/s.
     Eigen::Matrix2cd matrix() const;

@@ -237,7 +237,7 @@ DriftFunction drift_function(std::span<const PhasorRun> runs, const ResonatorFit
                              const JobControl& job) {
     DriftFunction found;
     Normal normal;
-    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.rates()).matrix();
+    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.shared).matrix();
     for (std::size_t run = 0; run < runs.size() && !job.cancelled(); ++run) {
         if (fit.left_out == run) {
             continue;

@@ -154,9 +154,7 @@ struct PowerProblem {
         p[split_cos_at] = linear[4] / turn;
         p[rotation_at] = linear[5] / 2;
         for (std::size_t k = 0; k < scaled.size(); ++k) {
-            const Vector2cd& z = scaled[k].z[0];
-            p.segment<4>(problem.layout.at(k, start_at)) << z[0].real(), z[0].imag(), z[1].real(),
-                z[1].imag();
+            p.segment<4>(problem.layout.at(k, start_at)) = real_parts(scaled[k].z[0]);
         }
         return p;
     }

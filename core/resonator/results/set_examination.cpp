@@ -98,10 +98,7 @@ double known_by(const Posterior& at) {
 
 // The run with other channels: `of_channels` of C and D.
 ScaledRun transformed(ScaledRun run, const Eigen::Matrix2d& of_channels) {
-    Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
-    for (Eigen::Index k = 0; k < 2; ++k) {
-        turn_channels(run.two_theta_zero, turn(0, k), turn(1, k));
-    }
+    const Eigen::Matrix2d turn = run.turn();
     const Eigen::Matrix2d to = turn * of_channels * turn.transpose();
     for (Eigen::Vector2cd& z : run.z) {
         z = to * z;

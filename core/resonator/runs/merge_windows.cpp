@@ -232,7 +232,7 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
     const double beyond_hz = line_beyond(motion, fine);
     const double uneven = uneven_turn(motion) / even_turn;
     const double mode_hz =
-        std::abs(SlowDynamics(motion.rates()).half_difference().imag()) / (2 * std::numbers::pi);
+        std::abs(SlowDynamics(motion.shared).half_difference().imag()) / (2 * std::numbers::pi);
     NeededWindows needed;
     for (const FittedMotion::Run& run : motion.runs) {
         const double now = run.frame.duration_s / run.frame.window_s;

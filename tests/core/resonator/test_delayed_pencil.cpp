@@ -48,7 +48,7 @@ private slots:
         const SlowDynamics motion(*rates);
         const double split = std::abs(motion.half_difference().imag()) / std::numbers::pi;
         VYBEG_CLOSE(split, 5.6, 0.02);
-        VYBEG_CLOSE(rates->decay_per_s * 0.83, 1, 0.05);
+        VYBEG_CLOSE((*rates)[decay_at] * 0.83, 1, 0.05);
     }
 
     void theFitFindsThem() {

@@ -314,13 +314,13 @@ private slots:
 
     void the_dynamics_have_the_same_curve() {
         const FreeDecay decay = gyro();
-        SlowRates rates;
-        rates.split_cos_hz = decay.split_hz * std::cos(4 * decay.theta_w);
-        rates.split_sin_hz = decay.split_hz * std::sin(4 * decay.theta_w);
-        rates.damping_cos_per_s = decay.damping_anisotropy_per_s * std::cos(4 * decay.theta_tau);
-        rates.damping_sin_per_s = decay.damping_anisotropy_per_s * std::sin(4 * decay.theta_tau);
-        rates.rotation_per_s = 2 * decay.bryan * decay.omega_rad_s;
-        rates.decay_per_s = 1 / decay.tau_s;
+        SlowRates rates = SlowRates::Zero();
+        rates[split_cos_at] = decay.split_hz * std::cos(4 * decay.theta_w);
+        rates[split_sin_at] = decay.split_hz * std::sin(4 * decay.theta_w);
+        rates[damping_cos_at] = decay.damping_anisotropy_per_s * std::cos(4 * decay.theta_tau);
+        rates[damping_sin_at] = decay.damping_anisotropy_per_s * std::sin(4 * decay.theta_tau);
+        rates[rotation_at] = 2 * decay.bryan * decay.omega_rad_s;
+        rates[decay_at] = 1 / decay.tau_s;
         const Eigen::Matrix2cd m = SlowDynamics(rates).matrix();
         const Eigen::Vector3d truth = truth_of(decay);
         for (double theta = -0.8; theta < 0.8; theta += 0.1) {

@@ -122,8 +122,8 @@ private slots:
         shared[rotation_at] = 2 * 0.277 * 0.3;
         shared[decay_at] = 0.25;
         shared[kappa_at] = 1.1;
-        const Eigen::Vector2cd y = SlowDynamics(rates_of(shared)).window_mean(run.window_s, 0) *
-                                   SlowMotion(decay).at_frame(0);
+        const Eigen::Vector2cd y =
+            SlowDynamics(shared).window_mean(run.window_s, 0) * SlowMotion(decay).at_frame(0);
         Eigen::VectorXd own = Eigen::VectorXd::Zero(int{own_count});
         own.head<4>() << y[0].real(), y[0].imag(), y[1].real(), y[1].imag();
         const double residuals = 4.0 * static_cast<double>(scaled.size());
@@ -146,7 +146,7 @@ private slots:
                 shared[split_sin_at] = split_hz * std::sin(0.8);
                 Eigen::VectorXd own = some_own().head(int{own_count});
                 own[drift_at] = drift;
-                const SlowDynamics dynamics(rates_of(shared));
+                const SlowDynamics dynamics(shared);
                 const auto mean_at = [&](double t) {
                     constexpr int parts = 2000;
                     Eigen::Vector2cd sum = Eigen::Vector2cd::Zero();
@@ -155,14 +155,15 @@ private slots:
                         const double u = at - run.reference_s;
                         const double turns = u * (own[frequency_at] + drift * u / 2);
                         sum += std::polar(1.0 / parts, 2 * pi * turns) *
-                               (dynamics.propagator(at) * start_of(own));
+                               (dynamics.propagator(at) * of_real_parts(own.head<4>()));
                     }
                     return sum;
                 };
                 // The mean at the run's own frequency belongs to the start.
                 Eigen::VectorXd averaged = own;
                 const Eigen::Vector2cd start =
-                    dynamics.window_mean(run.window_s, own[frequency_at]) * start_of(own);
+                    dynamics.window_mean(run.window_s, own[frequency_at]) *
+                    of_real_parts(own.head<4>());
                 averaged.head<4>() << start[0].real(), start[0].imag(), start[1].real(),
                     start[1].imag();
                 const auto expected = expected_phasors(run, shared, averaged, run.size());
