@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -107,7 +109,7 @@ struct SharedNormal {
 
 SharedNormal shared_normal(const FitProblem& problem, const VectorXd& p,
                            const std::vector<Index>& active, std::span<const RunInformation> runs,
-                           std::span<const Eigen::Vector3d> deviation, const Eigen::Vector3d* sd) {
+                           std::span<const RunDeviation> deviation, const RunDeviation* sd) {
     const VectorXd precision = shared_precision(problem, active);
     SharedNormal sum{precision.asDiagonal(),
                      precision.cwiseProduct((problem.priors.mean - p)(active)), 0, 0};
@@ -183,18 +185,6 @@ double disagreement(const FitProblem& problem, const VectorXd& p,
     return disagreement_of(b, a, precision, all * covariance * all.transpose());
 }
 
-std::vector<Eigen::Vector3d> deviations_of(std::span<const ScaledRun> runs) {
-    std::vector<Eigen::Vector3d> all;
-    for (const ScaledRun& run : runs) {
-        all.emplace_back(run.deviation.decay, run.deviation.split, run.deviation.kappa);
-    }
-    return all;
-}
-
-RunDeviation as_deviation(const Eigen::Vector3d& relative) {
-    return {relative[0], relative[1], relative[2]};
-}
-
 }  // namespace
 
 std::vector<Index> active_shared(const FitProblem& problem) {
@@ -207,10 +197,10 @@ MatrixXd by_deviation(const ScaledRun& run, const Linearised& at, const VectorXd
     // linearised() is by the set's parameters; by a deviation it is the parameter times that, up to
     // the factor 1 + deviation.
     MatrixXd by(at.by_parameter.rows(), deviation_count);
-    by << at.by_parameter.col(decay_at) * (p[decay_at] / (1 + run.deviation.decay)),
+    by << at.by_parameter.col(decay_at) * (p[decay_at] / (1 + run.deviation[decay_deviates])),
         at.by_parameter.middleCols<2>(split_cos_at) *
-            (p.segment<2>(split_cos_at) / (1 + run.deviation.split)),
-        at.by_parameter.col(kappa_at) * (p[kappa_at] / (1 + run.deviation.kappa));
+            (p.segment<2>(split_cos_at) / (1 + run.deviation[split_deviates])),
+        at.by_parameter.col(kappa_at) * (p[kappa_at] / (1 + run.deviation[kappa_deviates]));
     return by;
 }
 
@@ -240,8 +230,8 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
     constexpr double absurd = 30;  // deviations in units of the largest
     constexpr double plausible = 2.5;
     constexpr double none = 1e-6;  // relative scatter
-    const Eigen::Vector3d largest(largest_spread.decay, largest_spread.split, largest_spread.kappa);
-    std::vector<Eigen::Vector3d> grid;
+    const RunDeviation largest = largest_spread();
+    std::vector<RunDeviation> grid;
     for (int k = 0; k < 64; ++k) {
         const Eigen::Vector3d place = Eigen::Vector3i(k / 16, k / 4 % 4, k % 4).cast<double>();
         grid.emplace_back((place.array() == 0)
@@ -252,17 +242,18 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
     problem.runs = moved;
     const std::vector<Index> active = active_shared(problem);
     const auto shared = static_cast<Index>(active.size());
-    std::vector<Eigen::Vector3d> deviation = deviations_of(moved);
-    Spread found{p, {}, {}, {}, false};
-    Eigen::Vector3d best = largest;
+    std::vector<RunDeviation> deviation;
+    std::ranges::transform(moved, std::back_inserter(deviation), &ScaledRun::deviation);
+    Spread found{.p = p};
+    RunDeviation best = largest;
     const int steps = follow ? 6 : 1;
     for (int step = 0; step < steps && !job.cancelled(); ++step) {
         const bool last = step + 1 == steps;
         const std::vector<RunInformation> runs = run_information(problem, found.p, noise);
-        const auto trial = [&](const Eigen::Vector3d& sd) {
+        const auto trial = [&](const RunDeviation& sd) {
             return shared_normal(problem, found.p, active, runs, deviation, &sd);
         };
-        const auto likelihood = [&](const SharedNormal& sum, const Eigen::Vector3d& sd) {
+        const auto likelihood = [&](const SharedNormal& sum, const RunDeviation& sd) {
             const VectorXd unit = to_unit_diagonal(sum.matrix);
             const Eigen::LDLT<MatrixXd> solver(unit.asDiagonal() * sum.matrix * unit.asDiagonal());
             const VectorXd right = unit.cwiseProduct(sum.right);
@@ -275,7 +266,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
         };
         double most = -std::numeric_limits<double>::infinity();
         std::vector<double> all;
-        for (const Eigen::Vector3d& sd : grid) {
+        for (const RunDeviation& sd : grid) {
             all.push_back(likelihood(trial(sd), sd));
             if (all.back() > most) {
                 most = all.back();
@@ -292,7 +283,7 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                     variance += each * grid[k].cwiseAbs2();
                 }
             }
-            found.sd = as_deviation((variance / std::max(weight, 1e-300)).cwiseSqrt());
+            found.sd = (variance / std::max(weight, 1e-300)).cwiseSqrt();
             // The likelihood without each scatter, whatever the others are.
             Eigen::Vector3d without =
                 Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
@@ -303,13 +294,13 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                     }
                 }
             }
-            found.clear = as_deviation((2 * (most - without.array())).max(0.0).sqrt().matrix());
+            found.clear = (2 * (most - without.array())).max(0.0).sqrt();
         }
         const SharedNormal sum = trial(best);
         const MatrixXd covariance = positive_inverse(sum.matrix, 1e-15);
         const VectorXd move = covariance * sum.right;
         const Eigen::Vector3d weight = best.cwiseAbs2().cwiseInverse();
-        std::vector<Eigen::Vector3d> to = deviation;
+        std::vector<RunDeviation> to = deviation;
         for (std::size_t k = 0; k < runs.size(); ++k) {
             Eigen::Matrix3d own = runs[k].information.bottomRightCorner<3, 3>();
             own.diagonal() += weight;
@@ -364,14 +355,12 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
         deviation = to;
         found.p(active) += move;
         for (std::size_t k = 0; k < moved.size(); ++k) {
-            moved[k].deviation = as_deviation(deviation[k]);
+            moved[k].deviation = deviation[k];
         }
         const MapFit fit = minimise(problem, found.p, 10, job);
         found.p = fit.p;
     }
-    for (const Eigen::Vector3d& each : deviation) {
-        found.deviation.push_back(as_deviation(each));
-    }
+    found.deviation = std::move(deviation);
     return found;
 }
 

@@ -12,9 +12,6 @@ namespace vybeg {
 // What each run of a set says of the set's shared parameters, its own parameters eliminated, and
 // whether the runs agree (FIT section 10).
 
-// Relative deviations of a run: 1/tau, split, gain ratio (RunDeviation).
-inline constexpr int deviation_count = 3;
-
 // The active ones among the shared parameters.
 std::vector<Eigen::Index> active_shared(const FitProblem& problem);
 
@@ -34,17 +31,21 @@ std::vector<double> falls_without(const FitProblem& problem, const Eigen::Vector
                                   std::span<const double> noise);
 
 // Runs whose 1/tau, split and gain ratio scatter: sd of the scatter by restricted maximum
-// likelihood over a grid, up to the sizes of `largest_spread`.
+// likelihood over a grid, up to the sizes of largest_spread().
 struct Spread {
     Eigen::VectorXd p;                    // the set's parameters
     std::vector<RunDeviation> deviation;  // of each run
-    RunDeviation sd;                      // root mean square over the likelihood of the grid
-    RunDeviation clear;                   // by the likelihood, deviates from no scatter
-    bool explains = false;                // small deviations, and what is left agrees
+    // Root mean square over the likelihood of the grid.
+    RunDeviation sd = RunDeviation::Zero();
+    // By the likelihood, deviates from no scatter.
+    RunDeviation clear = RunDeviation::Zero();
+    bool explains = false;  // small deviations, and what is left agrees
 };
 
 // Largest spread that counts as one resonator at unlike temperatures; relative.
-inline constexpr RunDeviation largest_spread{0.02, 0.05, 0.002};
+inline RunDeviation largest_spread() {
+    return {0.02, 0.05, 0.002};
+}
 
 // From p, in a few steps; without `follow` about p itself: for runs that agree.
 Spread spread_of(const FitProblem& problem, const Eigen::VectorXd& p, std::span<const double> noise,

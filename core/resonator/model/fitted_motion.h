@@ -19,9 +19,8 @@ struct FittedMotion {
         Eigen::VectorXd own;  // parameters.h
     };
 
-    double scale = 1;  // recording units of a scaled unit
-    Eigen::VectorXd
-        shared;  // parameters.h; SlowDynamics(shared) has M without the runs' frequencies
+    double scale = 1;        // recording units of a scaled unit
+    Eigen::VectorXd shared;  // parameters.h
     std::vector<Run> runs;
 };
 

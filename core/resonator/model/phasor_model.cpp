@@ -400,10 +400,10 @@ void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eig
 
 Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
     Eigen::VectorXd own = shared;
-    own[decay_at] *= 1 + run.deviation.decay;
-    own[split_cos_at] *= 1 + run.deviation.split;
-    own[split_sin_at] *= 1 + run.deviation.split;
-    own[kappa_at] *= 1 + run.deviation.kappa;
+    own[decay_at] *= 1 + run.deviation[decay_deviates];
+    own[split_cos_at] *= 1 + run.deviation[split_deviates];
+    own[split_sin_at] *= 1 + run.deviation[split_deviates];
+    own[kappa_at] *= 1 + run.deviation[kappa_deviates];
     return own;
 }
 
@@ -504,9 +504,9 @@ Linearised linearised(const ScaledRun& run, const Eigen::VectorXd& of_set,
             out.by_parameter.middleRows<4>(row) -= phase * common;
         }
     }
-    out.by_parameter.col(decay_at) *= 1 + run.deviation.decay;
-    out.by_parameter.middleCols<2>(split_cos_at) *= 1 + run.deviation.split;
-    out.by_parameter.col(kappa_at) *= 1 + run.deviation.kappa;
+    out.by_parameter.col(decay_at) *= 1 + run.deviation[decay_deviates];
+    out.by_parameter.middleCols<2>(split_cos_at) *= 1 + run.deviation[split_deviates];
+    out.by_parameter.col(kappa_at) *= 1 + run.deviation[kappa_deviates];
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/resonator/model/parameters.h"
 #include "core/resonator/model/scaled_run.h"
+#include "core/resonator/model/slow_dynamics.h"
 
 #include <Eigen/Core>
 

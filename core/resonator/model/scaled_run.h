@@ -28,11 +28,8 @@ struct PowerSums {
 };
 
 // How much 1/tau, split and gain ratio of one run differ from those of its set, relative.
-struct RunDeviation {
-    double decay = 0;
-    double split = 0;
-    double kappa = 0;
-};
+enum Deviating : int { decay_deviates, split_deviates, kappa_deviates, deviation_count };
+using RunDeviation = Eigen::Matrix<double, deviation_count, 1>;
 
 // A run for the fit: phasors divided by a scale common to the set.
 struct ScaledRun {
@@ -51,7 +48,7 @@ struct ScaledRun {
     bool phase_lost = false;  // as PhasorRun, like the next
     double two_theta_zero = 0;
     PowerSums power_sums;
-    RunDeviation deviation;  // zero unless the runs of the set differ
+    RunDeviation deviation = RunDeviation::Zero();  // zero unless the runs of the set differ
     // Makes the noise of C and D equal and independent, in units of the windows' sd.
     Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();
 

@@ -195,14 +195,12 @@ private:
     // Changes of the active parameters by one deviation of each run from the set.
     Eigen::MatrixXd scattered() const {
         const Posterior& at = set_.posterior;
-        const RunDeviation& sd = set_.spread;
-        const Eigen::Vector3d sizes(sd.decay, sd.split, sd.kappa);
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(
             at.p.size(), deviation_count * static_cast<Eigen::Index>(at.runs.size()));
         for (std::size_t k = 0; k < at.runs.size(); ++k) {
             const Eigen::MatrixXd cross = at.runs[k].by_parameter.transpose() *
                                           by_deviation(problem_.runs[k], at.runs[k], at.p) *
-                                          sizes.asDiagonal();
+                                          set_.spread.asDiagonal();
             auto of_run =
                 along.middleCols<deviation_count>(deviation_count * static_cast<Eigen::Index>(k));
             add_rows(problem_.layout, k, cross, of_run);

@@ -14,7 +14,7 @@ struct FitOptions {
     // Of errors without a tolerance, which the fit holds at zero: their part of u.
     ChannelTolerance assumed{.kappa = 0};
     // Between the runs of a set, in u: relative sd of 1/tau (that of the split and of the gain
-    // ratio follow, `largest_spread`). None: what two or three runs cannot show is assumed.
+    // ratio follow, largest_spread()). None: what two or three runs cannot show is assumed.
     std::optional<double> spread = 0;
 };
 

@@ -47,8 +47,8 @@ struct SolvedSet {
     double scale = 1;                // recording units of a scaled unit
     Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
-    RunDeviation spread;             // sd of the deviations of the runs from the set
-    ChannelTolerance tolerance;      // told or assumed: the sizes of the errors in u
+    RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
+    ChannelTolerance tolerance;                  // told or assumed: the sizes of the errors in u
 };
 
 // A set with all that its numbers follow from. `tolerance`: of the free model that of the drifts

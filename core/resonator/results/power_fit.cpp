@@ -248,9 +248,9 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
     SetExamination examination = examine_set(last.problem, fit, options.spread, job);
     if (examination.verdict == SetVerdict::spread) {
         for (std::size_t k = 0; k < last.scaled.size(); ++k) {
-            last.scaled[k].deviation = examination.deviation[k];
+            last.scaled[k].deviation = examination.spread.deviation[k];
         }
-        fit = minimise(last.problem, examination.p, power_steps, job);
+        fit = minimise(last.problem, examination.spread.p, power_steps, job);
     }
     turn_to(last.problem, fit.p, last.scaled);
     TRY(job.go_on());
@@ -262,7 +262,7 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
                           scale,
                           {},
                           false,
-                          examination.spread,
+                          examination.spread.sd,
                           with_assumed(options).tolerance},
                          job);
     conclude(examination, !options.spread, found.fit);

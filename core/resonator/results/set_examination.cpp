@@ -165,14 +165,10 @@ public:
         if (structured_) {
             Spread spread = spread_of(problem_, joint_.p, noise_, true, job_);
             if (spread.explains) {
-                out.spread = spread.sd;
-                if (name_turned(out)) {
-                    return out;
+                out.spread = std::move(spread);
+                if (!name_turned(out)) {
+                    out.verdict = SetVerdict::spread;
                 }
-                out.verdict = SetVerdict::spread;
-                out.clear = spread.clear;
-                out.deviation = std::move(spread.deviation);
-                out.p = std::move(spread.p);
                 return out;
             }
         }
@@ -187,11 +183,12 @@ public:
             return out;
         }
         if (told_spread_) {
-            const double of_decay = *told_spread_ / largest_spread.decay;
-            out.spread = {*told_spread_, of_decay * largest_spread.split,
-                          of_decay * largest_spread.kappa};
+            const RunDeviation largest = largest_spread();
+            const double share = *told_spread_ / largest[decay_deviates];
+            out.spread.sd = {*told_spread_, share * largest[split_deviates],
+                             share * largest[kappa_deviates]};
         } else if (count_ < least_to_show) {
-            out.spread = spread_of(problem_, joint_.p, noise_, false, job_).sd;
+            out.spread.sd = spread_of(problem_, joint_.p, noise_, false, job_).sd;
         }
         return out;
     }
@@ -430,18 +427,19 @@ MessageArg either(const std::vector<std::size_t>& runs) {
 // The numbers that scatter by three deviates, or by the most.
 MessageArg differing(const SetExamination& examination) {
     constexpr double clearly = 3;
-    const RunDeviation& clear = examination.clear;
-    const RunDeviation& sd = examination.spread;
-    const double least = std::min(clearly, std::max({clear.decay, clear.split, clear.kappa}));
+    constexpr std::array texts{VYBEG_MESSAGE("Words", "the decay rate by %1 %"),
+                               VYBEG_MESSAGE("Words", "the split by %1 %"),
+                               VYBEG_MESSAGE("Words", "the gain ratio by %1 %")};
+    const RunDeviation& sd = examination.spread.sd;
+    const RunDeviation& clear = examination.spread.clear;
+    const double least = std::min(clearly, std::max({clear[0], clear[1], clear[2]}));
     std::vector<MessageArg> named;
-    const auto name = [&](double deviate, const char* text, double size) {
-        if (deviate >= least) {
-            named.push_back(words(text, {number_arg(100 * size, 2)}));
+    for (int of = 0; of < deviation_count; ++of) {
+        if (clear[of] >= least) {
+            named.push_back(
+                words(texts[static_cast<std::size_t>(of)], {number_arg(100 * sd[of], 2)}));
         }
-    };
-    name(clear.decay, VYBEG_MESSAGE("Words", "the decay rate by %1 %"), sd.decay);
-    name(clear.split, VYBEG_MESSAGE("Words", "the split by %1 %"), sd.split);
-    name(clear.kappa, VYBEG_MESSAGE("Words", "the gain ratio by %1 %"), sd.kappa);
+    }
     if (named.empty()) {  // not finite
         return {};
     }
@@ -464,14 +462,13 @@ void add_findings(const SetExamination& examination, bool assumed, ResonatorFit&
     const auto add = [&fit](DiagnosticKind kind, std::vector<MessageArg> args) {
         fit.warnings.insert(fit.warnings.begin(), Diagnostic{kind, std::move(args)});
     };
-    const RunDeviation& sd = examination.spread;
-    const std::vector<MessageArg> sizes{number_arg(100 * sd.decay, 2),
-                                        number_arg(100 * sd.split, 2),
-                                        number_arg(100 * sd.kappa, 2)};
+    const RunDeviation& sd = examination.spread.sd;
     switch (examination.verdict) {
         case SetVerdict::fits:
-            if (assumed && sd.decay > 0) {
-                add(DiagnosticKind::set_too_small, sizes);
+            if (assumed && sd[decay_deviates] > 0) {
+                add(DiagnosticKind::set_too_small, {number_arg(100 * sd[decay_deviates], 2),
+                                                    number_arg(100 * sd[split_deviates], 2),
+                                                    number_arg(100 * sd[kappa_deviates], 2)});
             }
             break;
         case SetVerdict::spread:

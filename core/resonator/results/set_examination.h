@@ -26,10 +26,7 @@ struct SetExamination {
     double cost = 0;                   // of the others and the likeliest, each alone
     // What makes the likeliest one of the set again, or which of its numbers disagrees: words.
     MessageArg cause;
-    std::vector<RunDeviation> deviation;  // of each run; of verdict `spread`
-    Eigen::VectorXd p;                    // likewise: the set's parameters
-    RunDeviation spread;                  // sd of the deviations; of small sets, too
-    RunDeviation clear;                   // of verdict `spread`: as Spread::clear
+    Spread spread;  // of verdict `spread`; of other sets that agree the sd alone
     // Largest variance of a run's noise in the fit of this run alone, in units of its windows'.
     double own_noise = 1;
 

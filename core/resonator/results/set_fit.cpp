@@ -102,8 +102,11 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
       task_(task),
       effort_(effort),
       problem_{scaled_, layout_of(scaled_), {}},
-      set_{runs_,      fine, &problem_, {}, {},
-           task.scale, {},   false,     {}, with_assumed(task.options).tolerance} {
+      set_{.runs = runs_,
+           .fine = fine,
+           .problem = &problem_,
+           .scale = task.scale,
+           .tolerance = with_assumed(task.options).tolerance} {
     problem_.priors = structured_priors(scaled_, problem_.layout, task_.options.tolerance);
     if (effort == Effort::trial) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
@@ -231,7 +234,7 @@ bool SetFit::may_be_explained_by(const ChannelTolerance& tolerance) const {
 }
 
 ResonatorFit SetFit::described() {
-    set_.spread = examination_.spread;
+    set_.spread = examination_.spread.sd;
     ResonatorFit fit = describe(set_, task_.job);
     fit.free_over_structured = free_over_structured_;
     fit.warnings.insert(fit.warnings.begin(), warnings_.begin(), warnings_.end());
@@ -249,9 +252,9 @@ void SetFit::examine() {
     }
     if (examination_.verdict == SetVerdict::spread) {
         for (std::size_t k = 0; k < scaled_.size(); ++k) {
-            scaled_[k].deviation = examination_.deviation[k];
+            scaled_[k].deviation = examination_.spread.deviation[k];
         }
-        set_.fit = minimise(problem_, examination_.p, cubic_steps, task_.job);
+        set_.fit = minimise(problem_, examination_.spread.p, cubic_steps, task_.job);
     }
     if (agrees() || set_.model == ResonatorModel::free) {
         return;
@@ -485,7 +488,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
     problem_.priors = with_priors;
     examination_ = {};
     for (ScaledRun& run : scaled_) {
-        run.deviation = {};
+        run.deviation.setZero();
     }
     return false;
 }
