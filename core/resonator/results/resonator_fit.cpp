@@ -42,8 +42,7 @@ OpenedBreaks open_break(const OpenedBreaks& opened, const SetFit& before,
             return found.size[0];
         }
         // Still waves do not lead to a fast beat.
-        next.set = solved_set(next.runs, task, Effort::trial, before.with_room_for(found),
-                              before.examination().spread.deviation);
+        next.set = solved_set(next.runs, task, before.with_room_for(found));
         next.breaks.push_back(found);
         const double size = next.set->size_of(found)[0];
         const double cost =

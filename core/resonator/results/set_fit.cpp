@@ -96,38 +96,37 @@ double largest_amplitude(std::span<const PhasorRun> runs) {
 }
 
 SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
-               std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort)
+               std::span<const Eigen::Matrix2d> whitenings, const FitTask& task,
+               const TrialStart& start)
     : runs_(std::move(runs)),
       scaled_(whitened_runs(runs_, task.scale, whitenings)),
       task_(task),
-      effort_(effort),
       problem_{scaled_, layout_of(scaled_), {}},
       set_{.runs = runs_,
            .fine = fine,
            .problem = &problem_,
            .scale = task.scale,
-           .tolerance = with_assumed(task.options).tolerance} {
+           .tolerance = with_assumed(task.options).tolerance},
+      start_(start.p) {
     problem_.priors = structured_priors(scaled_, problem_.layout, task_.options.tolerance);
-    if (effort == Effort::trial) {
+    if (is_trial()) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
-}
-
-void SetFit::start_at(Eigen::VectorXd start, const std::vector<RunDeviation>& deviation) {
-    start_ = std::move(start);
-    for (std::size_t k = 0; k < deviation.size(); ++k) {
-        scaled_[k].deviation = deviation[k];
+    for (std::size_t k = 0; k < start.deviation.size(); ++k) {
+        scaled_[k].deviation = start.deviation[k];
     }
 }
 
-Eigen::VectorXd SetFit::with_room_for(const FittedBreak& found) const {
+TrialStart SetFit::with_room_for(const FittedBreak& found) const {
     Eigen::Index place = problem_.layout.at(found.run, own_count);
     for (const RunBreak& each : scaled_[found.run].breaks) {
         place += each.time_s < found.time_s ? break_size(each.kind) : 0;
     }
     const Eigen::VectorXd& p = set_.fit.p;
-    Eigen::VectorXd start(p.size() + break_size(found.kind));
-    start << p.head(place), Eigen::VectorXd::Zero(break_size(found.kind)), p.tail(p.size() - place);
+    TrialStart start{Eigen::VectorXd(p.size() + break_size(found.kind)),
+                     examination_.spread.deviation};
+    start.p << p.head(place), Eigen::VectorXd::Zero(break_size(found.kind)),
+        p.tail(p.size() - place);
     return start;
 }
 
@@ -138,7 +137,7 @@ NeededWindows SetFit::solve() {
     try_cubic();
     if (!explained_without_cubic(plain, plain_priors)) {
         polish_cubic();
-        if (task_.options.model != FitOptions::Model::free && effort_ == Effort::whole) {
+        if (task_.options.model != FitOptions::Model::free && !is_trial()) {
             examine();
         }
     }
@@ -280,7 +279,7 @@ bool SetFit::is_noise() const {
 }
 
 void SetFit::find_main() {
-    const StillFit wave = start_.size() > 0 ? fit_near_start() : fit_waves(problem_, task_.job);
+    const StillFit wave = is_trial() ? fit_near_start() : fit_waves(problem_, task_.job);
     std::optional<MapFit> still = fit_still_in_phase(problem_, wave.best, task_.job);
     phase_left_ = still.has_value();
     no_motion_ = !still && wave.best.chi2 > hopeless * degrees_of_freedom(problem_) &&
@@ -341,7 +340,7 @@ void SetFit::try_cubic() {
 }
 
 void SetFit::polish_cubic() {
-    if (set_.fit.converged || problem_.priors.sd[cubic_at] == 0 || effort_ == Effort::trial) {
+    if (set_.fit.converged || problem_.priors.sd[cubic_at] == 0 || is_trial()) {
         return;
     }
     Eigen::VectorXd anew = still_waves(problem_);
@@ -355,8 +354,7 @@ void SetFit::polish_cubic() {
 }
 
 bool SetFit::is_of_free_runs() const {
-    if (task_.options.model != FitOptions::Model::automatic || effort_ == Effort::trial ||
-        runs_.size() < 2) {
+    if (task_.options.model != FitOptions::Model::automatic || is_trial() || runs_.size() < 2) {
         return false;
     }
     const double dof = degrees_of_freedom(problem_);
@@ -365,7 +363,7 @@ bool SetFit::is_of_free_runs() const {
         return false;
     }
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-        SetFit alone({runs_[k]}, set_.fine.subspan(k, 1), {}, task_, Effort::whole);
+        SetFit alone({runs_[k]}, set_.fine.subspan(k, 1), {}, task_);
         alone.solve();
         if (alone.set_.model != ResonatorModel::free) {
             return false;
@@ -386,7 +384,7 @@ MapFit SetFit::fit_freely(FitProblem& free) const {
 
 void SetFit::choose_model() {
     using Model = FitOptions::Model;
-    if (task_.options.model == Model::structured || effort_ == Effort::trial) {
+    if (task_.options.model == Model::structured || is_trial()) {
         return;
     }
     FitProblem free = problem_;
@@ -470,7 +468,7 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
     const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
     if (!opened || scaled_.size() < 2 || task_.options.model == FitOptions::Model::free ||
-        effort_ == Effort::trial || runs_agree(problem_, set_.fit.p)) {
+        is_trial() || runs_agree(problem_, set_.fit.p)) {
         return false;
     }
     const MapFit with = std::exchange(set_.fit, plain);
@@ -494,8 +492,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
 }
 
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const FitTask& task,
-                                   Effort effort, const Eigen::VectorXd& start,
-                                   const std::vector<RunDeviation>& deviation) {
+                                   const TrialStart& start) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
     struct Solution {
@@ -504,8 +501,7 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
     };
     std::vector<Eigen::Matrix2d> whitenings;
     const auto solve_once = [&](const std::vector<PhasorRun>& runs) {
-        Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, effort), {}};
-        out.set->start_at(start, deviation);
+        Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, start), {}};
         out.needed = out.set->solve();
         return out;
     };

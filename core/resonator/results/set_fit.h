@@ -21,9 +21,12 @@
 
 namespace vybeg {
 
-// A trial of a break takes neither further starts nor the free model, and does not examine whether
-// the runs belong together.
-enum class Effort { whole, trial };
+// Where the trial of a break begins: near the most likely parameters. It takes neither further
+// starts nor the free model, and does not examine whether the runs belong together.
+struct TrialStart {
+    Eigen::VectorXd p;                    // empty: no trial, the whole fit from nothing
+    std::vector<RunDeviation> deviation;  // how much the runs differ; empty: not at all
+};
 
 // Largest amplitude of a channel, recording units; 0 without a wave.
 double largest_amplitude(std::span<const PhasorRun> runs);
@@ -40,13 +43,11 @@ class SetFit {
 public:
     // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
-           std::span<const Eigen::Matrix2d> whitenings, const FitTask& task, Effort effort);
-
-    // Parameters near the most likely ones, if they are known, and how much the runs differ.
-    void start_at(Eigen::VectorXd start, const std::vector<RunDeviation>& deviation);
+           std::span<const Eigen::Matrix2d> whitenings, const FitTask& task,
+           const TrialStart& start = {});
 
     // The present parameters of a set with one break more, whose parameters are zero.
-    Eigen::VectorXd with_room_for(const FittedBreak& found) const;
+    TrialStart with_room_for(const FittedBreak& found) const;
 
     // Finds the most likely parameters; returns the number of windows of a run that they need.
     NeededWindows solve();
@@ -103,6 +104,8 @@ private:
     // moves the runs apart more than white noise of their windows.
     bool is_noise() const;
 
+    bool is_trial() const { return start_.size() > 0; }
+
     void find_main();
 
     // The fit from the known start, and from still waves where that leaves more than noise.
@@ -142,10 +145,9 @@ private:
     std::vector<PhasorRun> runs_;
     std::vector<ScaledRun> scaled_;
     FitTask task_;
-    Effort effort_;
     FitProblem problem_;
     SolvedSet set_;            // refers to the runs and the problem
-    Eigen::VectorXd start_;    // empty: none
+    Eigen::VectorXd start_;    // of a trial; else empty
     bool phase_left_ = false;  // still waves explain everything except the phase
     bool no_motion_ = false;   // a run is known to be no motion that a model has
     SetExamination examination_;
@@ -154,10 +156,8 @@ private:
     std::vector<Diagnostic> warnings_;
 };
 
-// The set with as many windows of a run as its solution needs; it refers to the runs. `start` and
-// `deviation`: as of SetFit, of a trial.
+// The set with as many windows of a run as its solution needs; it refers to the runs.
 std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& runs, const FitTask& task,
-                                   Effort effort = Effort::whole, const Eigen::VectorXd& start = {},
-                                   const std::vector<RunDeviation>& deviation = {});
+                                   const TrialStart& start = {});
 
 }  // namespace vybeg
