@@ -258,7 +258,7 @@ private:
     const FitProblem& problem_ = *set_.problem;
     const Posterior& posterior_ = set_.posterior;
     const Estimate& rotation_ = fit_.resonator.angle_rate_rad_s;
-    const double f_ref_hz_ = set_.context.mean_f_ref_hz();
+    const double f_ref_hz_ = set_.mean_f_ref_hz();
     std::vector<Diagnostic> found_;
 };
 

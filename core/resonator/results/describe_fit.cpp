@@ -102,18 +102,13 @@ public:
         fit_.chi2_per_dof = ratio;
         set_.posterior = posterior(problem_, set_.fit);
         set_.split_needs = vector_needs;
-        set_.context.layout = &problem_.layout;
-        set_.context.runs = problem_.runs;
-        for (const PhasorRun& run : set_.runs) {
-            set_.context.f_ref_hz.push_back(run.f_ref_hz);
-        }
         set_covariance(ratio, dof);
         std::vector<ProfilePoint> beside;
         if (structured) {
             beside =
                 unseen_directions(problem_, set_.fit, set_.posterior, std::max(1.0, ratio), job_);
         }
-        set_.context.order = mode_order();
+        set_.order = mode_order();
         set_.scattered = scattered();
         const auto variances_with = [&](const ChannelTolerance& tolerance) {
             set_.moved = moved_by(set_, tolerance);

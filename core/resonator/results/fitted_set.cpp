@@ -1,7 +1,11 @@
 #include "core/resonator/results/fitted_set.h"
 
+#include "core/estimators/wave/wave_state.h"
 #include "core/resonator/fit/score_test.h"
+#include "core/resonator/model/phasor_model.h"
 #include "core/resonator/results/resonator_parameters.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +27,95 @@ constexpr auto errors = static_cast<Index>(channel_errors.size());
 
 // Share of a variance that a profile must add for the direction to count as undetermined.
 constexpr double unseen_share = 0.25;
+
+void add_modes(const Eigen::VectorXd& p, ModeOrder order, Eigen::VectorXd& q) {
+    std::complex<double> s = std::sqrt(square_half_difference(p));
+    if ((order == ModeOrder::frequency ? s.imag() : -s.real()) < 0) {
+        s = -s;
+    }
+    for (const int mode : {0, 1}) {
+        const double sign = mode == 0 ? 1 : -1;
+        q[mode_f_of + mode] = q[f_mean_of] + sign * s.imag() / (2 * pi);
+        q[mode_decay_of + mode] = p[decay_at] - sign * s.real();
+    }
+}
+
+// Frequency of a run at the power of the wave. The fit has it at that of the recorded channels
+// (phasor_model.h), which depends on the gain ratio.
+double frequency_of(const Eigen::VectorXd& p, std::size_t run, const FittedSet& set) {
+    const ScaledRun& of = set.problem->runs[run];
+    const double more = of.power_sums.at(p[kappa_at]) - of.power_sums.at(1);
+    return p[set.problem->layout.at(run, frequency_at)] + p[cubic_at] * more / of.power_kept;
+}
+
+void add_run(const Eigen::VectorXd& p, std::size_t run, const FittedSet& set, double f_ref_hz,
+             Eigen::VectorXd& q) {
+    const Eigen::VectorXd own = p.segment(set.problem->layout.at(run, 0), own_count);
+    const double f = frequency_of(p, run, set);
+    const SlowDynamics dynamics(p);
+    const Eigen::Vector2cd start =
+        dynamics.window_mean(set.problem->runs[run].window_s, own[frequency_at]).inverse() *
+        of_real_parts(own.head<4>());
+    const WaveState wave = to_wave_state({start[0], start[1]});
+    const auto at = [&](RunQuantity quantity) -> double& {
+        return q[quantity_of_run(run, quantity)];
+    };
+    at(a_A_of) = wave.a_A;
+    at(a_B_of) = wave.a_B;
+    at(two_theta_of) = wave.two_theta_A;
+    at(f_of) = f;
+    at(f_offset_of) = (set.runs[run].f_ref_hz - f_ref_hz) + (f - q[f_mean_of]);
+    at(run_drift_of) = own[drift_at];
+    const double c4 = std::cos(2 * wave.two_theta_A);
+    const double s4 = std::sin(2 * wave.two_theta_A);
+    at(split_sin_of) = p[split_cos_at] * s4 - p[split_sin_at] * c4;
+    const double working = wave.a_A * wave.a_A;
+    const double quadrature = wave.a_B * wave.a_B;
+    const double share = (working - quadrature) / (working + quadrature) / 2;
+    at(direction_f_of) = f + share * (p[split_cos_at] * c4 + p[split_sin_at] * s4);
+    at(direction_decay_of) =
+        p[decay_at] + share * (p[damping_cos_at] * c4 + p[damping_sin_at] * s4);
+}
+
+// Values at p. Amplitudes and angle of a wave are those at t = 0, corrected for the mean over a
+// window.
+Eigen::VectorXd quantities(const Eigen::VectorXd& p, const FittedSet& set) {
+    const std::size_t runs = set.problem->layout.runs();
+    Eigen::VectorXd q(quantity_of_run(runs, 0));
+    const auto share = 1 / static_cast<double>(runs);
+    // References are kept separate, so that differences of frequencies keep their digits.
+    double f_mean = 0;
+    for (std::size_t run = 0; run < runs; ++run) {
+        f_mean += share * frequency_of(p, run, set);
+    }
+    q[f_mean_of] = f_mean;
+    q[decay_of] = p[decay_at];
+    q[split_of] = std::hypot(p[split_cos_at], p[split_sin_at]);
+    q[theta_w_of] = std::atan2(p[split_sin_at], p[split_cos_at]) / 4;
+    q[damping_of] = std::hypot(p[damping_cos_at], p[damping_sin_at]);
+    q[theta_tau_of] = std::atan2(p[damping_sin_at], p[damping_cos_at]) / 4;
+    q[angle_rate_of] = -p[rotation_at] / 2;
+    q[kappa_of] = p[kappa_at];
+    q[skew_of] = p[skew_at];
+    q[phase_of] = p[phase_at];
+    q[cubic_of] = p[cubic_at];
+    add_modes(p, set.order, q);
+    const double f_ref = set.mean_f_ref_hz();
+    for (std::size_t run = 0; run < runs; ++run) {
+        add_run(p, run, set, f_ref, q);
+    }
+    return q;
+}
+
+// The period of each quantity that is an angle, rad; 0 for the others.
+Eigen::VectorXd quantity_periods(std::size_t runs) {
+    Eigen::VectorXd period = Eigen::VectorXd::Zero(quantity_of_run(runs, 0));
+    period[theta_w_of] = period[theta_tau_of] = pi / 2;
+    for (std::size_t run = 0; run < runs; ++run) {
+        period[quantity_of_run(run, two_theta_of)] = pi;
+    }
+    return period;
+}
 
 double by_shorter_way(double difference, double period) {
     return period > 0 ? std::remainder(difference, period) : difference;
@@ -75,7 +168,7 @@ static_assert(resonator_parameters[3].member == &ResonatorEstimate::tau_s &&
 
 Places places_of(const FittedSet& set) {
     const ReportedVariances& at = set.variances;
-    const double f_ref_hz = set.context.mean_f_ref_hz();
+    const double f_ref_hz = set.mean_f_ref_hz();
     const auto [tau, q] = decay_places(at, decay_of, f_ref_hz + at.value[f_mean_of]);
     return {{{f_mean_of, 1},
              {split_of, 1},
@@ -92,6 +185,20 @@ Places places_of(const FittedSet& set) {
 }
 
 }  // namespace
+
+double SolvedSet::mean_f_ref_hz() const {
+    const double share = 1 / static_cast<double>(runs.size());
+    double mean = 0;
+    for (const PhasorRun& run : runs) {
+        mean += share * run.f_ref_hz;
+    }
+    return mean;
+}
+
+std::complex<double> square_half_difference(const Eigen::VectorXd& p) {
+    const std::complex<double> s = SlowDynamics(p).half_difference();
+    return s * s;
+}
 
 Eigen::VectorXcd square_gradient(const Posterior& posterior) {
     Eigen::VectorXcd by(static_cast<Index>(posterior.active.size()));
@@ -117,17 +224,15 @@ double ReportedVariances::u(Index quantity) const {
 ReportedVariances reported_variances(const FittedSet& set,
                                      const std::vector<ProfilePoint>& beside) {
     const Posterior& posterior = set.posterior;
-    const QuantityContext& context = set.context;
     const Eigen::MatrixXd& moved = set.moved;
     ReportedVariances out;
-    out.value = quantities(posterior.p, context);
-    const Eigen::VectorXd period = quantity_periods(context.layout->runs());
+    out.value = quantities(posterior.p, set);
+    const Eigen::VectorXd period = quantity_periods(set.runs.size());
     const Index count = out.value.size();
     out.gradient.resize(count, static_cast<Index>(posterior.active.size()));
     for (Index k = 0; k < out.gradient.cols(); ++k) {
         const Neighbours near = neighbours(posterior, k);
-        const Eigen::VectorXd difference =
-            quantities(near.up, context) - quantities(near.down, context);
+        const Eigen::VectorXd difference = quantities(near.up, set) - quantities(near.down, set);
         for (Index q = 0; q < count; ++q) {
             out.gradient(q, k) = by_shorter_way(difference[q], period[q]) / near.step;
         }
@@ -140,7 +245,7 @@ ReportedVariances reported_variances(const FittedSet& set,
     out.known = variances(posterior.known);
     out.nothing = variances(posterior.nothing);
     for (const ProfilePoint& point : beside) {
-        const Eigen::VectorXd there = quantities(point.p, context);
+        const Eigen::VectorXd there = quantities(point.p, set);
         for (Index q = 0; q < count; ++q) {
             const double off = by_shorter_way(there[q] - out.value[q], period[q]);
             const double missing = off * off / point.rise - out.total(q);
@@ -158,7 +263,7 @@ ReportedVariances reported_variances(const FittedSet& set,
         for (const double sign : {1.0, -1.0}) {
             Eigen::VectorXd p = posterior.p;
             p(posterior.active) += sign * moved.col(k);
-            const Eigen::VectorXd there = quantities(p, context);
+            const Eigen::VectorXd there = quantities(p, set);
             for (Index q = 0; q < count; ++q) {
                 double off = by_shorter_way(there[q] - out.value[q], period[q]);
                 if (!std::isfinite(off)) {
@@ -234,7 +339,7 @@ WrongBySource wrong_by_source(const FittedSet& set) {
         wrong[error.source] = wrong_by(set, error.parameter);
     }
     wrong[skew_error] *= pi / 180;
-    wrong[delay_error] *= -2 * pi * set.context.mean_f_ref_hz();
+    wrong[delay_error] *= -2 * pi * set.mean_f_ref_hz();
     const auto effect = [&](ErrorSource source, const Effect& of, double unit) {
         wrong[source] = unit * followed(problem, set.posterior, of);
     };

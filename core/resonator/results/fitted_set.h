@@ -2,15 +2,50 @@
 
 #include "core/resonator/fit/map_fit.h"
 #include "core/resonator/fit/posterior.h"
-#include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/results/resonator_result.h"
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <span>
 #include <vector>
 
 namespace vybeg {
+
+// Reported quantities, functions of the fitted parameters, in one vector: those of the resonator,
+// then those of each run. Amplitudes in scaled units, frequencies in Hz without the reference.
+enum SharedQuantity : int {
+    f_mean_of,  // mean of the runs' frequencies, from the mean of their references
+    decay_of,   // 1/tau, 1/s
+    split_of,
+    theta_w_of,
+    damping_of,
+    theta_tau_of,
+    angle_rate_of,
+    kappa_of,
+    skew_of,
+    phase_of,
+    cubic_of,
+    mode_f_of,                      // of the first mode; the second follows
+    mode_decay_of = mode_f_of + 2,  // likewise
+    shared_quantities = mode_decay_of + 2
+};
+enum RunQuantity : int {
+    a_A_of,
+    a_B_of,
+    two_theta_of,
+    f_of,         // from the run's reference
+    f_offset_of,  // from f_mean_of, references included
+    run_drift_of,
+    split_sin_of,        // split sin 4(theta_A - theta_w)
+    direction_f_of,      // frequency and decay rate of the run's own direction at its start
+    direction_decay_of,  // 1/s
+    run_quantities
+};
+
+inline Eigen::Index quantity_of_run(std::size_t run, int quantity) {
+    return shared_quantities + run_quantities * static_cast<Eigen::Index>(run) + quantity;
+}
 
 // The derived quantities at the maximum of the posterior with the three parts of each one's
 // variance (posterior.h): from the data, from the known tolerances of the channels, and from priors
@@ -34,7 +69,8 @@ struct ReportedVariances {
     }
 };
 
-// d(s^2)/d(active parameter), s of derived_quantities.h.
+// s of the eigenvalues -1/tau +- s of M, squared, and d(s^2)/d(active parameter).
+std::complex<double> square_half_difference(const Eigen::VectorXd& p);
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
 // A set of runs with its most likely parameters.
@@ -49,13 +85,15 @@ struct SolvedSet {
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
     ChannelTolerance tolerance;                  // told or assumed: the sizes of the errors in u
+
+    double mean_f_ref_hz() const;
 };
 
 // A set with all that its numbers follow from. `tolerance`: of the free model that of the drifts
 // alone.
 struct FittedSet : SolvedSet {
     Posterior posterior{};
-    QuantityContext context{};
+    ModeOrder order{};
     Eigen::MatrixXd moved{};      // moved_by() the tolerance
     Eigen::MatrixXd scattered{};  // active parameters by one deviation of each run from the set
     ReportedVariances variances{};

@@ -255,7 +255,7 @@ private:
     }
 
     void add_modes() {
-        fit_.mode_order = set_.context.order;
+        fit_.mode_order = set_.order;
         // |s^2| against the largest deviation of its two parts.
         const Eigen::VectorXcd gradient = square_gradient(p_);
         Eigen::MatrixXd by(2, gradient.size());
@@ -423,7 +423,7 @@ private:
     std::span<const PhasorRun> runs_;
     const ReportedVariances& at_;
     ResonatorFit& fit_;
-    const double f_ref_hz_ = set_.context.mean_f_ref_hz();
+    const double f_ref_hz_ = set_.mean_f_ref_hz();
     std::optional<Reason> grown_;  // a mode that grows
 };
 

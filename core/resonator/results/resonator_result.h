@@ -3,7 +3,6 @@
 #include "core/base/diagnostic.h"
 #include "core/resonator/fit/fitted_break.h"
 #include "core/resonator/model/channel_tolerance.h"
-#include "core/resonator/model/derived_quantities.h"
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/reason.h"
 #include "core/resonator/noise/residual_noise.h"
@@ -20,6 +19,9 @@ namespace vybeg {
 // structured: the pick-offs are a calibrated cos/sin pair, M has the form of METHOD section 8;
 // free: M is any complex 2x2 matrix, and only its modes are given.
 enum class ResonatorModel { structured, free };
+
+// Modes by falling frequency, or by falling decay rate where the frequencies do not differ.
+enum class ModeOrder { frequency, decay };
 
 // A normal mode: an eigenvalue i 2 pi f - 1/tau of M.
 struct ModeEstimate {
