@@ -2,6 +2,8 @@
 
 #include "core/resonator/fit/map_fit.h"
 
+#include <optional>
+
 namespace vybeg {
 
 // Maximum of the posterior without start values (FIT section 2). A still wave with the phase steps
@@ -33,5 +35,18 @@ Eigen::VectorXd still_waves(const FitProblem& problem);
 
 // The best fit from p, with the prior of the damping anisotropy set likewise.
 MapFit fit_from(FitProblem& problem, const Eigen::VectorXd& p, const JobControl& job);
+
+// Repeats the fit with the phasors rotated back by the residual of their phases, if that residual
+// exceeds the windows' noise. A phase that no motion explains (a frequency that settles, phase
+// noise) reduces the amplitude by its square, which biases decay and anisotropy; to first order the
+// second fit changes nothing. chi2 remains that of the measured phasors.
+MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobControl& job);
+
+// For a `main` above the noise or with improbable rates: the fit of the phasors rotated back by the
+// phase residual of still waves of steady drift, if it explains angles, quadratures and amplitudes
+// down to the noise; otherwise none. The phase of a still wave determines no rates, because rates
+// could follow any phase.
+std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit& main,
+                                         const JobControl& job);
 
 }  // namespace vybeg

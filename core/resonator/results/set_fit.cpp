@@ -1,7 +1,6 @@
 #include "core/resonator/results/set_fit.h"
 
 #include "core/resonator/fit/pencil_start.h"
-#include "core/resonator/fit/refit_in_phase.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/noise/noise_claim.h"
 #include "core/resonator/results/given_or_refused.h"
