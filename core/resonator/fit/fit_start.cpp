@@ -223,7 +223,7 @@ MapFit fit_modes(FitProblem& problem, const StillFit& wave, const JobControl& jo
     MapFit best = wave.best;
     // A small split also keeps the residual of the drifting start above the noise.
     const double count = residuals(problem, longest(problem));
-    if (wave.drifting.size() > 0 && best.cost > noise_bound(count) * count) {
+    if (wave.drifting.size() > 0 && best.cost > noise_limit(count)) {
         try_start(problem, wave.drifting, job, best);
     }
     // Noise that is not white keeps the best start above the windows' noise. A minimum reached from
@@ -278,14 +278,11 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
 std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit& main,
                                          const JobControl& job) {
     const double dof = degrees_of_freedom(problem);
-    const auto above_noise = [](double chi2, double freedom) {
-        return chi2 > noise_bound(freedom) * freedom;
-    };
     // Rates beyond those of gyros: half of what passivity allows, half a radian per second.
     const bool strange =
         std::hypot(main.p[damping_cos_at], main.p[damping_sin_at]) > 0.5 * main.p[decay_at] ||
         std::abs(main.p[rotation_at]) > 0.5;
-    const bool fine = !above_noise(main.chi2, dof);
+    const bool fine = !(main.chi2 > noise_limit(dof));
     if (fine && !strange) {
         return {};
     }
@@ -294,7 +291,7 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     const MapFit wave = minimise(still, still_waves(problem), all_steps, job);
     MapFit fit = fit_turned(problem, turned_by(problem, wave), wave.p, job);
     // One of the four numbers of a window, the phase, is not used.
-    if (above_noise(fit.chi2, 0.75 * dof)) {
+    if (fit.chi2 > noise_limit(0.75 * dof)) {
         return {};
     }
     fit.chi2 = chi_square(problem, fit.p);

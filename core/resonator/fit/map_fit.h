@@ -115,9 +115,12 @@ double longest_s(const FitProblem& problem);
 // Number of residuals less that of the parameters without a prior.
 double degrees_of_freedom(const FitProblem& problem);
 
-// Largest chi^2 per degree of freedom of white noise: six deviations above one.
+// Largest chi^2 of white noise, per degree of freedom and all of it: six deviations above the mean.
 inline double noise_bound(double dof) {
     return 1 + 6 * std::sqrt(2 / dof);
+}
+inline double noise_limit(double dof) {
+    return noise_bound(dof) * dof;
 }
 
 }  // namespace vybeg

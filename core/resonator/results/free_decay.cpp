@@ -86,7 +86,7 @@ void withdraw(std::size_t recording, ResonatorFit& fit) {
 // Two modes with amplitudes of their own in each channel, if they leave noise only.
 std::optional<ModeSum> two_modes(const PhasorRun& run) {
     const std::optional<ModeSum> sum = sum_of_modes(run, 2);
-    const bool noise = sum && sum->chi2 < noise_bound(sum->freedom) * sum->freedom;
+    const bool noise = sum && sum->chi2 < noise_limit(sum->freedom);
     return noise ? sum : std::nullopt;
 }
 

@@ -254,9 +254,8 @@ Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<cons
     constexpr double nearest = 0.4;  // cycles over a run
     constexpr double step = 1.0 / 6;
     const double longest = longest_s(problem);
-    const double dof = degrees_of_freedom(problem);
     const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
-    double needed = at.chi2() - noise_bound(dof) * dof;
+    double needed = at.chi2() - noise_limit(degrees_of_freedom(problem));
     Line best;
     for (double cycles = nearest; cycles < least_cycles + 1 && !job.cancelled(); cycles += step) {
         for (const double off_hz : {cycles / longest, -cycles / longest}) {

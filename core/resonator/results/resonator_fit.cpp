@@ -160,7 +160,7 @@ void name_step(const PhasorRun& run, const FittedMotion& motion, FittedBreak& fo
     }
     double inside = without;
     const double dof = 4 * static_cast<double>(windows.size()) - 5;
-    double least = std::min(noise_bound(dof) * dof, without - least_fall);
+    double least = std::min(noise_limit(dof), without - least_fall);
     std::complex<double> beyond = 0;
     for (std::size_t place = 0; place < windows.size(); ++place) {
         // The step lies in this window, those before it are beyond it.

@@ -185,9 +185,9 @@ std::vector<FittedBreak> SetFit::unexplained_breaks() const {
     }
     const double fall = std::ranges::max(likely, {}, &FittedBreak::fall).fall;
     const double settling = settling_score(problem_, at).fall;
-    const double dof = degrees_of_freedom(problem_);
-    const bool settles = settling > fall && set_.fit.chi2 - settling <
-                                                std::max(noise_bound(dof) * dof, set_.fit.chi2 / 5);
+    const double noise = noise_limit(degrees_of_freedom(problem_));
+    const bool settles =
+        settling > fall && set_.fit.chi2 - settling < std::max(noise, set_.fit.chi2 / 5);
     const std::optional<MisfitCause> smooth =
         misfit_cause(set_, at, Causes::without_lines, task_.job);
     const bool bends = smooth && smooth->fall > fall - close;
@@ -226,9 +226,8 @@ bool SetFit::may_be_explained_by(const ChannelTolerance& tolerance) const {
     for (const ChannelError& error : channel_errors) {
         open.priors.sd[error.parameter] = tolerance.*error.tolerance;
     }
-    const double dof = degrees_of_freedom(open);
     const MapFit fit = minimise(open, set_.fit.p, own_steps, task_.job);
-    return fit.chi2 < near * noise_bound(dof) * dof;
+    return fit.chi2 < near * noise_limit(degrees_of_freedom(open));
 }
 
 ResonatorFit SetFit::described() {
@@ -264,7 +263,7 @@ void SetFit::examine() {
     // One parameter that explains that much is no chance, unless it takes channels beyond their
     // tolerances.
     constexpr double nearly_all = 0.05;
-    if (left < noise_bound(dof) * dof ||
+    if (left < noise_limit(dof) ||
         (examination_.verdict == SetVerdict::refused && has_usual_channels() &&
          left - dof < nearly_all * (set_.fit.chi2 - dof))) {
         examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
@@ -292,8 +291,7 @@ StillFit SetFit::fit_near_start() {
     const Priors& known = problem_.priors;
     start_ = (known.sd.array() > 0).select(start_, known.mean);
     const MapFit near = fit_from(problem_, start_, task_.job);
-    const double dof = degrees_of_freedom(problem_);
-    if (near.chi2 < noise_bound(dof) * dof) {
+    if (near.chi2 < noise_limit(degrees_of_freedom(problem_))) {
         return {near, {}, {}};
     }
     const Priors priors = problem_.priors;
@@ -356,9 +354,8 @@ bool SetFit::is_of_free_runs() const {
     if (task_.options.model != FitOptions::Model::automatic || is_trial() || runs_.size() < 2) {
         return false;
     }
-    const double dof = degrees_of_freedom(problem_);
     FitProblem free = problem_;
-    if (!(fit_freely(free).chi2 < noise_bound(dof) * dof)) {
+    if (!(fit_freely(free).chi2 < noise_limit(degrees_of_freedom(problem_)))) {
         return false;
     }
     for (std::size_t k = 0; k < runs_.size(); ++k) {
@@ -434,8 +431,7 @@ bool SetFit::is_no_motion(const Eigen::VectorXd& p) const {
 MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
     MapFit near = minimise(problem, start, 60, task_.job);
     const double dof = degrees_of_freedom(problem);
-    const double ratio = noise_bound(dof);
-    if (phase_left_ || near.chi2 < ratio * dof) {
+    if (phase_left_ || near.chi2 < noise_limit(dof)) {
         return near;
     }
     // No other start is better than the sum of two modes, and where that is far from the noise, no
@@ -458,7 +454,7 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
     }
     // Channels with nearly one mixture hide the second mode in a chi^2 of two.
     FitProblem anew = problem;
-    anew.noise_ratio = ratio;
+    anew.noise_ratio = noise_bound(dof);
     anew.damping_share = std::numeric_limits<double>::infinity();
     MapFit fit = fit_from_nothing(anew, task_.job);
     return fit.cost < near.cost ? fit : near;
@@ -473,11 +469,10 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
     const MapFit with = std::exchange(set_.fit, plain);
     const Priors with_priors = std::exchange(problem_.priors, plain_priors);
     examine();
-    const double dof = degrees_of_freedom(problem_);
     const double least = examination_.verdict == SetVerdict::foreign  ? examination_.cost
                          : examination_.verdict == SetVerdict::spread ? set_.fit.cost
                                                                       : with.cost;
-    if (least < with.cost - cubic_fall && least < noise_bound(dof) * dof) {
+    if (least < with.cost - cubic_fall && least < noise_limit(degrees_of_freedom(problem_))) {
         set_.amplitude_or_time = false;
         return true;
     }
