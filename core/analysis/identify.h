@@ -8,7 +8,7 @@
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/drift_function.h"
 #include "core/resonator/results/resonator_fit.h"
-#include "core/resonator/runs/channels.h"
+#include "core/resonator/runs/run_track.h"
 
 #include <span>
 #include <vector>

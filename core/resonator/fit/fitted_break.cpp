@@ -17,25 +17,24 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Columns of the effects of a break on the windows after it: all kinds in one matrix.
-constexpr Index phase_column = 0;
-constexpr Index gain_column = 1;
-constexpr Index start_column = 3;
-constexpr Index effect_columns = 7;
+// Each kind of break with its first column among the effects of all kinds on the windows after it,
+// and the least fall of chi^2: white noise exceeds it in less than one of a thousand sets of four
+// runs with 150 windows each.
+struct KindOfBreak {
+    BreakKind kind;
+    Index column;
+    double least_fall;
+};
+constexpr std::array<KindOfBreak, 4> kinds{{{BreakKind::phase, 0, 28},
+                                            {BreakKind::gain, 1, 33},
+                                            {BreakKind::start, 3, 42},
+                                            {BreakKind::event, 7, 50}}};
+constexpr Index effect_columns = kinds.back().column;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, effect_columns>;
 using Square = Eigen::Matrix<double, effect_columns, effect_columns>;
 using Column = Eigen::Matrix<double, effect_columns, 1>;
 
-// Least fall of chi^2 for each kind: white noise exceeds it in less than one of a thousand sets of
-// four runs with 150 windows each.
-constexpr double least_fall(BreakKind kind) {
-    constexpr double falls[]{28, 33, 42, 50};
-    return falls[static_cast<int>(kind)];
-}
-
-constexpr std::array kinds{BreakKind::phase, BreakKind::gain, BreakKind::start, BreakKind::event};
-
-// Best break of each kind.
+// Best break of each of them.
 using Best = std::array<FittedBreak, kinds.size()>;
 
 // Fall of chi^2 by the columns [first, first + count).
@@ -70,17 +69,9 @@ struct SeenByRun {
 };
 
 SeenByRun seen_by(const FitProblem& problem, const Posterior& at, std::size_t k) {
-    const Index first = problem.layout.at(k, 0);
-    const Index columns = shared_count + problem.layout.own_size(k);
-    MatrixXd rows = MatrixXd::Zero(columns, at.root.cols());
-    for (Index row = 0; row < at.root.rows(); ++row) {
-        const Index parameter = at.active[static_cast<std::size_t>(row)];
-        if (parameter < shared_count) {
-            rows.row(parameter) = at.root.row(row);
-        } else if (parameter >= first && parameter < first + problem.layout.own_size(k)) {
-            rows.row(parameter - first + shared_count) = at.root.row(row);
-        }
-    }
+    const auto [places, columns] = columns_of(problem.layout, k, at.active);
+    MatrixXd rows = MatrixXd::Zero(shared_count + problem.layout.own_size(k), at.root.cols());
+    rows(columns, Eigen::all) = at.root(places, Eigen::all);
     SeenByRun seen;
     seen.toward = rows * at.toward;
     const Eigen::HouseholderQR<MatrixXd> qr(MatrixXd(rows.transpose()));
@@ -104,11 +95,11 @@ Eigen::Matrix<double, 4, effect_columns> effects_on(const ScaledRun& run, const 
     const auto put = [&](Index column, const Eigen::Vector2cd& change) {
         by.col(column) = real_parts(run.weighted(window, change));
     };
-    put(phase_column, Complex(0, 1) * expected);
-    put(gain_column, {expected[0], 0});
-    put(gain_column + 1, {0, expected[1]});
-    by.middleCols<4>(start_column) = here.by_parameter.block<4, 4>(
-        4 * static_cast<Index>(window), shared_count + static_cast<Index>(start_at));
+    put(0, Complex(0, 1) * expected);
+    put(1, {expected[0], 0});
+    put(2, {0, expected[1]});
+    by.rightCols<4>() = here.by_parameter.block<4, 4>(4 * static_cast<Index>(window),
+                                                      shared_count + static_cast<Index>(start_at));
     return by;
 }
 
@@ -143,11 +134,11 @@ void scan(const FitProblem& problem, const Posterior& at, std::size_t k, Best& b
         const MatrixXd in_root = seen.root.transpose() * with_parameters;
         const MatrixXd left = square - in_root.transpose() * in_root;
         const VectorXd along = with_residual - with_parameters.transpose() * seen.toward;
-        for (const BreakKind kind : {BreakKind::phase, BreakKind::gain, BreakKind::start}) {
-            const Index first = kind == BreakKind::phase  ? phase_column
-                                : kind == BreakKind::gain ? gain_column
-                                                          : start_column;
+        for (const auto& [kind, first, least] : kinds) {
             const Index count = break_size(kind);
+            if (count == 0) {
+                continue;
+            }
             consider({.run = k,
                       .time_s = (run.time_s[window - 1] + run.time_s[window]) / 2,
                       .reach_s = (run.time_s[window] - run.time_s[window - 1] + run.window_s) / 2,
@@ -169,10 +160,9 @@ std::vector<FittedBreak> likely_breaks(const FitProblem& problem, const Posterio
         scan(problem, at, k, best);
     }
     std::vector<FittedBreak> likely;
-    for (const BreakKind kind : kinds) {
-        const FittedBreak& found = best[static_cast<std::size_t>(kind)];
-        if (found.fall > least_fall(kind)) {
-            likely.push_back(found);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        if (best[k].fall > kinds[k].least_fall) {
+            likely.push_back(best[k]);
         }
     }
     return likely;

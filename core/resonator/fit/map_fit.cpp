@@ -264,6 +264,20 @@ Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, 
     return p.segment(layout.at(run, 0), layout.own_size(run));
 }
 
+RunColumns columns_of(const ParameterLayout& layout, std::size_t run,
+                      const std::vector<Eigen::Index>& parameters) {
+    RunColumns found;
+    for (std::size_t place = 0; place < parameters.size(); ++place) {
+        const bool shared = parameters[place] < shared_count;
+        const Eigen::Index own = parameters[place] - layout.at(run, 0);
+        if (shared || (own >= 0 && own < layout.own_size(run))) {
+            found.places.push_back(static_cast<Eigen::Index>(place));
+            found.columns.push_back(shared ? parameters[place] : shared_count + own);
+        }
+    }
+    return found;
+}
+
 std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
                                                std::size_t run) {
     return expected_phasors(problem.runs[run], p.head(shared_count), own_of(problem.layout, p, run),
@@ -301,17 +315,7 @@ NormalEquations normal_equations(const FitProblem& problem, std::span<const Line
     const auto size = static_cast<Eigen::Index>(parameters.size());
     NormalEquations sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        std::vector<Eigen::Index> places;
-        std::vector<Eigen::Index> columns;
-        const Eigen::Index first = problem.layout.at(k, 0);
-        for (Eigen::Index place = 0; place < size; ++place) {
-            const Eigen::Index parameter = parameters[static_cast<std::size_t>(place)];
-            const Eigen::Index own = parameter - first;
-            if (parameter < shared_count || (own >= 0 && own < problem.layout.own_size(k))) {
-                places.push_back(place);
-                columns.push_back(parameter < shared_count ? parameter : shared_count + own);
-            }
-        }
+        const auto [places, columns] = columns_of(problem.layout, k, parameters);
         const Linearised& at = runs[k];
         const auto count = static_cast<Eigen::Index>(columns.size());
         Eigen::MatrixXd square = Eigen::MatrixXd::Zero(count, count);

@@ -58,6 +58,15 @@ void add_rows(const ParameterLayout& layout, std::size_t run, const Rows& rows, 
     sum.middleRows(layout.at(run, 0), own) += rows.bottomRows(own);
 }
 
+// The parameters of a list that change a run: their places in it, and their columns among the
+// derivatives of the run.
+struct RunColumns {
+    std::vector<Eigen::Index> places;
+    std::vector<Eigen::Index> columns;
+};
+RunColumns columns_of(const ParameterLayout& layout, std::size_t run,
+                      const std::vector<Eigen::Index>& parameters);
+
 // Predicted phasors in all windows of a run at p.
 std::vector<Eigen::Vector2cd> expected_phasors(const FitProblem& problem, const Eigen::VectorXd& p,
                                                std::size_t run);

@@ -45,24 +45,24 @@ MatrixXd in_root(const MatrixXd& by_parameter, const MatrixXd& root) {
 std::vector<ClaimedSeries> claimed_series(const NoiseEstimate& noise, const Posterior& posterior,
                                           const JobControl& job) {
     std::vector<ClaimedSeries> all;
+    const bool any_common = std::ranges::any_of(
+        noise.parts, [](const ResidualNoise::Part& part) { return !part.shape.of_phase; });
     for (const ResidualSeries& run : noise.series) {
-        const Index n = run.size.size();
-        std::array<MatrixXd, 2> parts;  // common, of the phase
-        for (const ResidualNoise::Part& part : noise.parts) {
-            if (job.cancelled()) {
-                return all;
-            }
-            MatrixXd& sum = parts[part.shape.of_phase ? 1 : 0];
-            const MatrixXd one = part.variance * part_covariance(part.shape, run);
-            sum = sum.size() > 0 ? MatrixXd(sum + one) : one;
+        if (job.cancelled()) {
+            return all;
         }
+        const Index n = run.size.size();
+        const auto [common, of_phase] = noise.part_sums(run);
         for (std::size_t s = 0; s < 4; ++s) {
             ClaimedSeries series{
-                run.residual[s], in_root(run.by_parameter[s], posterior.root),
+                run.residual[s],
+                in_root(run.by_parameter[s], posterior.root),
                 run.correlation.size() > 0 ? run.correlation : MatrixXd(MatrixXd::Identity(n, n)),
-                parts[0]};
-            if (s == ResidualSeries::phase && parts[1].size() > 0) {
-                series.colour = parts[0].size() > 0 ? MatrixXd(parts[0] + parts[1]) : parts[1];
+                {}};
+            if (s == ResidualSeries::phase && !noise.parts.empty()) {
+                series.colour = common + of_phase;
+            } else if (any_common) {
+                series.colour = common;
             }
             all.push_back(std::move(series));
         }

@@ -65,6 +65,16 @@ Eigen::MatrixXd shape_covariance(const NoiseShape& shape, const std::vector<doub
     return covariance;
 }
 
+// The covariance of a part of the noise in a run's series, in units of their white noise.
+Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
+    const Eigen::VectorXd scale =
+        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
+                                                              static_cast<double>(run.size.size())))
+                       : run.noise;
+    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
+           scale.asDiagonal();
+}
+
 // Correlation of points that are sums of `merge` windows over their root.
 Eigen::MatrixXd merged_correlation(const std::vector<double>& correlation, std::size_t merge,
                                    Eigen::Index points) {
@@ -435,18 +445,8 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
     const Linearised& at = posterior.runs[index];
     const auto points = static_cast<Eigen::Index>(run.size() / merge);
     ResidualSeries out;
-    std::vector<Eigen::Index> column_of;  // a run's derivatives at each of the places
-    const Eigen::Index first_own = problem.layout.at(index, 0);
-    for (std::size_t k = 0; k < posterior.active.size(); ++k) {
-        const Eigen::Index parameter = posterior.active[k];
-        const bool own =
-            parameter >= first_own && parameter < first_own + problem.layout.own_size(index);
-        if (parameter < shared_count || own) {
-            out.places.push_back(static_cast<Eigen::Index>(k));
-            column_of.push_back(own ? parameter - first_own + shared_count : parameter);
-        }
-    }
-
+    const RunColumns own = columns_of(problem.layout, index, posterior.active);
+    out.places = own.places;
     const double usual_sd = 1 / median(run.weight);
     const double share = 1 / static_cast<double>(merge);
     const double keeps_noise = std::sqrt(share);
@@ -456,7 +456,7 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
     out.size = out.noise = Eigen::VectorXd::Zero(points);
     out.residual.fill(Eigen::VectorXd::Zero(points));
     out.by_parameter.fill(
-        Eigen::MatrixXd::Zero(points, static_cast<Eigen::Index>(column_of.size())));
+        Eigen::MatrixXd::Zero(points, static_cast<Eigen::Index>(own.columns.size())));
     for (Eigen::Index k = 0; k < points * static_cast<Eigen::Index>(merge); ++k) {
         const auto window = static_cast<std::size_t>(k);
         const Eigen::Index point = k / static_cast<Eigen::Index>(merge);
@@ -483,22 +483,13 @@ ResidualSeries residual_series(const FitProblem& problem, const Posterior& poste
             out.residual[s][point] += keeps_noise * residual[s];
             const Eigen::RowVector4d row = real_parts(axis[s]).transpose();
             const Eigen::RowVectorXd by = row * at.by_parameter.middleRows<4>(4 * k);
-            out.by_parameter[s].row(point) += keeps_noise * by(column_of);
+            out.by_parameter[s].row(point) += keeps_noise * by(own.columns);
         }
     }
     return out;
 }
 
 }  // namespace
-
-Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run) {
-    const Eigen::VectorXd scale =
-        shape.of_phase ? Eigen::VectorXd(run.size / std::sqrt(run.size.squaredNorm() /
-                                                              static_cast<double>(run.size.size())))
-                       : run.noise;
-    return scale.asDiagonal() * shape_covariance(shape, run.time_s, run.window_s) *
-           scale.asDiagonal();
-}
 
 NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posterior,
                              const JobControl& job) {
@@ -512,6 +503,15 @@ NoiseEstimate::NoiseEstimate(const FitProblem& problem, const Posterior& posteri
     }
 }
 
+std::array<MatrixXd, 2> NoiseEstimate::part_sums(const ResidualSeries& run) const {
+    const MatrixXd none = MatrixXd::Zero(run.size.size(), run.size.size());
+    std::array<MatrixXd, 2> sums{none, none};
+    for (const Part& part : parts) {
+        sums[part.shape.of_phase ? 1 : 0] += part.variance * part_covariance(part.shape, run);
+    }
+    return sums;
+}
+
 MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
     if (as_expected()) {
         return posterior.data;
@@ -519,12 +519,7 @@ MatrixXd NoiseEstimate::covariance(const Posterior& posterior) const {
     const Index size = posterior.covariance.rows();
     MatrixXd sum = MatrixXd::Zero(size, size);
     for (const ResidualSeries& run : series) {
-        MatrixXd common = MatrixXd::Zero(run.size.size(), run.size.size());
-        MatrixXd of_phase = common;
-        for (const ResidualNoise::Part& part : parts) {
-            (part.shape.of_phase ? of_phase : common) +=
-                part.variance * part_covariance(part.shape, run);
-        }
+        const auto [common, of_phase] = part_sums(run);
         for (std::size_t k = 0; k < 4; ++k) {
             const MatrixXd& x = run.by_parameter[k];
             sum(run.places, run.places) += x.transpose() * common * x;

@@ -61,9 +61,6 @@ struct ResidualSeries {
     std::array<Eigen::MatrixXd, 4> by_parameter;  // columns as `places`
 };
 
-// The covariance of a part of the noise in a run's series, in units of their white noise.
-Eigen::MatrixXd part_covariance(const NoiseShape& shape, const ResidualSeries& run);
-
 // Noise of the residual by restricted maximum likelihood: the part absorbed by the fit is projected
 // out (FIT section 4). A line of one of eight widths common to all series, and a line or 1/f in the
 // phase only, are each included if they raise the logarithm of the likelihood by four.
@@ -74,6 +71,10 @@ struct NoiseEstimate : ResidualNoise {
     // The data's part of the covariance under this noise, in the basis of the posterior's root:
     // that of the windows' noise as in the posterior, and R' (sum X'VX) R.
     Eigen::MatrixXd covariance(const Posterior& posterior) const;
+
+    // The covariances of the further parts in a run's series, in units of their white noise: in all
+    // four, and in the phase alone.
+    std::array<Eigen::MatrixXd, 2> part_sums(const ResidualSeries& run) const;
 
     std::vector<ResidualSeries> series;
 };

@@ -6,7 +6,6 @@
 #include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
 #include "core/resonator/results/structured_verdict.h"
-#include "core/resonator/runs/channels.h"
 #include "core/resonator/runs/merge_windows.h"
 
 #include <Eigen/LU>

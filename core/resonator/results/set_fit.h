@@ -41,7 +41,7 @@ struct FitTask {
 // The whole fit of one set, step by step.
 class SetFit {
 public:
-    // `fine`: the runs before merging of windows; `whitenings` of channels.h, empty: none.
+    // `fine`: the runs before merging of windows; `whitenings` of merge_windows.h, empty: none.
     SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
            std::span<const Eigen::Matrix2d> whitenings, const FitTask& task,
            const TrialStart& start = {});

@@ -6,6 +6,8 @@
 #include "core/resonator/model/parameters.h"
 #include "core/resonator/model/phasor_run.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -187,6 +189,53 @@ double line_beyond(const FittedMotion& motion, std::span<const PhasorRun> fine) 
     return best_hz;
 }
 
+constexpr double significant = 6;  // standard deviations
+constexpr double most_correlation = 0.95;
+constexpr std::size_t differences = 3;
+
+Eigen::Matrix2d whitening(const PhasorRun& run, const std::vector<Phasors>& fitted) {
+    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+    double count = 0;
+    for (std::size_t k = 0; k + differences < run.time_s.size(); ++k) {
+        const double length = run.time_s[k + differences] - run.time_s[k];
+        if (std::abs(length / run.window_s - static_cast<double>(differences)) > 0.01) {
+            continue;
+        }
+        Eigen::Vector2cd difference = Eigen::Vector2cd::Zero();
+        double factor = 1;
+        for (std::size_t j = 0; j <= differences; ++j) {
+            const std::size_t at = k + j;
+            difference += factor / run.sd[at] *
+                          Eigen::Vector2cd(run.c[at] - fitted[at].c, run.d[at] - fitted[at].d);
+            factor *= -static_cast<double>(differences - j) / static_cast<double>(j + 1);
+        }
+        sum += (difference * difference.adjoint()).real();
+        count += 1;
+    }
+    const double trace = sum.trace();
+    if (!(trace > 0) || !std::isfinite(trace)) {
+        return Eigen::Matrix2d::Identity();
+    }
+    const Eigen::Matrix2d covariance = 2 / trace * sum;
+    // Neighbouring differences are not independent: a third of them counts.
+    const double sd = std::sqrt(3 / count);
+    const double correlation = covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1));
+    const double unlike = std::log(covariance(1, 1) / covariance(0, 0)) / 2;
+    const bool differs =
+        std::abs(correlation) > significant * sd || std::abs(unlike) > significant * sd;
+    // NaN of a silent channel is no noise to weight by.
+    // The inverse of noise that is nearly the same in both rests on their small difference.
+    if (!differs || !std::isfinite(correlation + unlike) ||
+        std::abs(correlation) > most_correlation) {
+        return Eigen::Matrix2d::Identity();
+    }
+    const Eigen::LLT<Eigen::Matrix2d> factor(covariance);
+    if (factor.info() != Eigen::Success) {
+        return Eigen::Matrix2d::Identity();
+    }
+    return factor.matrixL().solve(Eigen::Matrix2d::Identity());
+}
+
 }  // namespace
 
 PhasorRun usable_windows(const PhasorRun& run) {
@@ -253,6 +302,15 @@ NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorR
         }
     }
     return needed;
+}
+
+std::vector<Eigen::Matrix2d> whitenings(const FittedMotion& motion,
+                                        std::span<const PhasorRun> runs) {
+    std::vector<Eigen::Matrix2d> all;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        all.push_back(whitening(runs[k], predicted_phasors(motion, k, runs[k].time_s)));
+    }
+    return all;
 }
 
 }  // namespace vybeg

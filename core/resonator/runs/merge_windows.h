@@ -3,8 +3,11 @@
 #include "core/resonator/model/fitted_motion.h"
 #include "core/resonator/model/phasor_run.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace vybeg {
 
@@ -32,5 +35,13 @@ struct NeededWindows {
 // alias: near the axis of one mode a wave shows the other mode too weakly for merge_windows().
 // `fine`: the runs of the motion, unmerged.
 NeededWindows needed_windows(const FittedMotion& motion, std::span<const PhasorRun> fine);
+
+// For each run the lower triangle W that makes the white noise of both channels equal and
+// independent, in units of the windows' sd; the unit matrix where they are within six deviations,
+// and where both channels share nearly all of their noise.
+// From third differences of the windows' phasors less the fitted ones, in which slow motions are
+// missing.
+std::vector<Eigen::Matrix2d> whitenings(const FittedMotion& motion,
+                                        std::span<const PhasorRun> runs);
 
 }  // namespace vybeg

@@ -1,5 +1,5 @@
 #include "core/resonator/results/resonator_fit.h"
-#include "core/resonator/runs/channels.h"
+#include "core/resonator/runs/run_track.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
 #include "tests/test_registry.h"
