@@ -221,17 +221,6 @@ ParameterLayout layout_of(std::span<const ScaledRun> runs) {
     return ParameterLayout(breaks);
 }
 
-void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
-                   Eigen::MatrixXd& sum) {
-    const Eigen::Index own = layout.own_size(run);
-    const Eigen::Index first = layout.at(run, 0);
-    sum.topLeftCorner(shared_count, shared_count) +=
-        square.topLeftCorner(shared_count, shared_count);
-    sum.block(first, 0, own, shared_count) += square.bottomLeftCorner(own, shared_count);
-    sum.block(0, first, shared_count, own) += square.topRightCorner(shared_count, own);
-    sum.block(first, first, own, own) += square.bottomRightCorner(own, own);
-}
-
 Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
                         std::span<const std::size_t> which) {
     Eigen::Index size = shared_count;

@@ -46,11 +46,8 @@ Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
 // A run's own parameters among all.
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run);
 
-// Adds a run's symmetric matrix, shared parameters before its own, to one of all parameters.
-void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
-                   Eigen::MatrixXd& sum);
-
-// Likewise rows: of a vector, or of a matrix with its own columns.
+// Adds rows of a run, shared parameters before its own, to those of all parameters: of a vector, or
+// of a matrix with its own columns.
 template <class Rows, class Sum>
 void add_rows(const ParameterLayout& layout, std::size_t run, const Rows& rows, Sum& sum) {
     const Eigen::Index own = layout.own_size(run);

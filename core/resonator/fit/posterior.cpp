@@ -42,6 +42,18 @@ Eigen::MatrixXd correlated_part(const ScaledRun& run, const RowMajor& by_paramet
     return sum;
 }
 
+// Adds a run's symmetric matrix, shared parameters before its own, to one of all parameters.
+void add_symmetric(const ParameterLayout& layout, std::size_t run, const Eigen::MatrixXd& square,
+                   Eigen::MatrixXd& sum) {
+    const Eigen::Index own = layout.own_size(run);
+    const Eigen::Index first = layout.at(run, 0);
+    sum.topLeftCorner(shared_count, shared_count) +=
+        square.topLeftCorner(shared_count, shared_count);
+    sum.block(first, 0, own, shared_count) += square.bottomLeftCorner(own, shared_count);
+    sum.block(0, first, shared_count, own) += square.topRightCorner(shared_count, own);
+    sum.block(first, first, own, own) += square.bottomRightCorner(own, own);
+}
+
 // J^T V J of all parameters, V the noise correlation of the windows.
 Eigen::MatrixXd score_covariance(const FitProblem& problem, const Posterior& posterior) {
     Eigen::MatrixXd sum = posterior.information;

@@ -33,8 +33,8 @@ std::vector<double> falls_without(const FitProblem& problem, const Eigen::Vector
 // Runs whose 1/tau, split and gain ratio scatter: sd of the scatter by restricted maximum
 // likelihood over a grid, up to the sizes of largest_spread().
 struct Spread {
-    Eigen::VectorXd p;                    // the set's parameters
-    std::vector<RunDeviation> deviation;  // of each run
+    Eigen::VectorXd p;                      // the set's parameters
+    std::vector<RunDeviation> deviation{};  // of each run
     // Root mean square over the likelihood of the grid.
     RunDeviation sd = RunDeviation::Zero();
     // By the likelihood, deviates from no scatter.

@@ -353,6 +353,16 @@ Vector2cd left_of(const ScaledRun& run, std::size_t window, const Vector2cd& exp
     return run.weighted(window, run.z[window] * std::polar(1.0, -std::arg(along)) - expected);
 }
 
+// The shared parameters as a run has them: with its deviation.
+Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
+    Eigen::VectorXd own = shared;
+    own[decay_at] *= 1 + run.deviation[decay_deviates];
+    own[split_cos_at] *= 1 + run.deviation[split_deviates];
+    own[split_sin_at] *= 1 + run.deviation[split_deviates];
+    own[kappa_at] *= 1 + run.deviation[kappa_deviates];
+    return own;
+}
+
 // Calls use(window, predicted phasors) for the first `windows` windows, until it is false.
 template <class Use>
 void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eigen::VectorXd& own,
@@ -397,15 +407,6 @@ void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eig
 }
 
 }  // namespace
-
-Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared) {
-    Eigen::VectorXd own = shared;
-    own[decay_at] *= 1 + run.deviation[decay_deviates];
-    own[split_cos_at] *= 1 + run.deviation[split_deviates];
-    own[split_sin_at] *= 1 + run.deviation[split_deviates];
-    own[kappa_at] *= 1 + run.deviation[kappa_deviates];
-    return own;
-}
 
 std::vector<Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,
                                         const Eigen::VectorXd& own, std::size_t windows) {

@@ -34,9 +34,6 @@ namespace vybeg {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The shared parameters as a run has them: with its deviation.
-Eigen::VectorXd shared_of(const ScaledRun& run, const Eigen::VectorXd& shared);
-
 // Predicted phasors in the first `windows` windows of a run. `own`: the run's own parameters,
 // own_count and those of each break.
 std::vector<Eigen::Vector2cd> expected_phasors(const ScaledRun& run, const Eigen::VectorXd& shared,

@@ -78,10 +78,10 @@ struct SolvedSet {
     std::span<const PhasorRun> runs;  // as fitted
     std::span<const PhasorRun> fine;  // before their windows were merged
     const FitProblem* problem = nullptr;
-    MapFit fit;
+    MapFit fit{};
     ResonatorModel model{};
     double scale = 1;                // recording units of a scaled unit
-    Estimate cubic_limit;            // b and its sd where it is held at zero; scaled units
+    Estimate cubic_limit{};          // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
     ChannelTolerance tolerance;                  // told or assumed: the sizes of the errors in u

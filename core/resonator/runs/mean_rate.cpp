@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace vybeg {
 namespace {
@@ -235,16 +234,15 @@ std::vector<double> trend_of(const RateSeries& series) {
     return {trend.begin(), trend.end()};
 }
 
-std::vector<MeanRate> mean_slopes(std::span<const RateSeries> series) {
-    std::vector<MeanRate> rates;
+std::vector<Estimate> mean_slopes(std::span<const RateSeries> series) {
+    std::vector<Estimate> rates;
     for (const RateSeries& one : series) {
-        rates.push_back({slope_coefficients(one).dot(view(one.value)),
-                         std::numeric_limits<double>::quiet_NaN()});
+        rates.push_back({.value = slope_coefficients(one).dot(view(one.value))});
     }
     return rates;
 }
 
-std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double inflation,
+std::vector<Estimate> mean_rates(std::span<const RateSeries> series, double inflation,
                                  const JobControl& job) {
     std::vector<Eigen::VectorXd> coefficients;
     std::vector<Evidence> evidence;
@@ -255,7 +253,7 @@ std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double infl
         tried = tried.empty() ? widths(blocks) : tried;
         evidence.push_back(evidence_of(blocks, tried, job));
     }
-    std::vector<MeanRate> rates;
+    std::vector<Estimate> rates;
     for (std::size_t s = 0; s < series.size(); ++s) {
         const Eigen::VectorXd& slope = coefficients[s];
         const auto sd = view(series[s].sd);
@@ -268,7 +266,8 @@ std::vector<MeanRate> mean_rates(std::span<const RateSeries> series, double infl
         }
         rates.push_back(
             {slope.dot(view(series[s].value)),
-             std::sqrt(white + added_by_colour(evidence, s) + inflation * std::max(added, 0.0))});
+             std::sqrt(white + added_by_colour(evidence, s) + inflation * std::max(added, 0.0)),
+             {}});
     }
     return rates;
 }

@@ -80,20 +80,13 @@ bool in_a_row(const PhasorRun& run, std::size_t before, std::size_t at, std::siz
 // Phasors at the centres of windows. A mean over w is z + (w^2/24) z'', which weights the mode
 // farther from the reference less; z'' from the neighbours is subtracted. A slope keeps its
 // variance, because slow changes pass with a gain of one.
-struct Middles {
-    std::vector<Complex> c;
-    std::vector<Complex> d;
-    std::vector<double> noise_gain;  // in units of the variance of one window
-
-    // As PhasorRun.
-    Complex product(std::size_t j, std::size_t k) const {
-        return std::conj(c[j]) * c[k] + std::conj(d[j]) * d[k];
-    }
+struct Middles : PhasorRun {
+    std::vector<double> noise_gain{};  // in units of the variance of one window
 };
 
 Middles middles_of(const PhasorRun& run, const std::vector<std::size_t>& windows) {
     constexpr double share = 1.0 / 24;
-    Middles out{run.c, run.d, std::vector<double>(run.c.size(), 1)};
+    Middles out{run, std::vector<double>(run.c.size(), 1)};
     for (std::size_t i = 0; i < windows.size() && windows.size() > 2; ++i) {
         const std::size_t centre = std::clamp<std::size_t>(i, 1, windows.size() - 2);
         const std::size_t before = windows[centre - 1];
@@ -290,7 +283,7 @@ Motion motion_of(const PhasorRun& run, const std::vector<std::size_t>& windows) 
                          std::conj(z.product(windows[i - 2], k))) /
                 6;
         }
-        const double power = std::norm(z.c[k]) + std::norm(z.d[k]);
+        const double power = z.power(k);
         const double sd = run.sd[k];
         add(motion.phase, t, phase, sd / std::sqrt(power), own);
         part = own;
@@ -407,15 +400,14 @@ WaveMotion motion_with(const PhasorRun& windows, bool deviations, const JobContr
     if (!circular) {
         series.insert(series.end(), {motion.theta, motion.quadrature});
     }
-    const std::vector<MeanRate> rates =
+    const std::vector<Estimate> rates =
         deviations ? mean_rates(series, inflation_of(run), job) : mean_slopes(series);
     found.f_hz = {run.f_ref_hz + rates[0].value / two_pi, rates[0].sd / two_pi, {}};
     found.decay_per_s = {-rates[1].value, rates[1].sd, {}};
     found.tau_s = decay_time(found.decay_per_s);
     const Estimate none{.reason = {ReasonCode::circular_wave, {}}};
-    found.theta_rate_rad_s =
-        circular || motion.branch_lost ? none : Estimate{rates[2].value, rates[2].sd, {}};
-    found.quadrature_rate_per_s = circular ? none : Estimate{rates[3].value, rates[3].sd, {}};
+    found.theta_rate_rad_s = circular || motion.branch_lost ? none : rates[2];
+    found.quadrature_rate_per_s = circular ? none : rates[3];
     return found;
 }
 
