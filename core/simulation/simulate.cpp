@@ -14,7 +14,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <new>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -119,7 +118,6 @@ private:
     std::vector<double> passed_;  // kept to reuse its memory
 };
 
-constexpr std::int64_t most_in_memory = std::int64_t{1} << 28;  // 4 GiB of samples
 constexpr std::int64_t at_once = 16384;                         // frames for the sink
 
 void clip_and_round(std::vector<double>& samples, double full_scale, int bits) {
@@ -253,21 +251,10 @@ Status simulate(const FreeDecay& decay, double full_scale, const DecaySink& sink
 
 Result<SimulatedDecay> simulate(const FreeDecay& decay, const JobControl& job) {
     const auto full_scale = TRY(find_full_scale(decay, job));
-    const std::int64_t frames = frame_count(decay);
-    if (frames > most_in_memory) {
-        return impossible(integer_text(frames) +
-                          " samples are more than fit into memory; the most is " +
-                          integer_text(most_in_memory));
-    }
     SimulatedDecay samples;
     samples.full_scale = full_scale;
-    try {
-        // Reserved, not filled, because filling gigabytes would ignore the stop token.
-        samples.c.reserve(static_cast<std::size_t>(frames));
-        samples.d.reserve(static_cast<std::size_t>(frames));
-    } catch (const std::bad_alloc&) {
-        return impossible("there is no memory for " + integer_text(frames) + " samples");
-    }
+    samples.c.reserve(static_cast<std::size_t>(frame_count(decay)));
+    samples.d.reserve(samples.c.capacity());
     const DecaySink collect = [&samples](std::span<const double> c, std::span<const double> d) {
         samples.c.insert(samples.c.end(), c.begin(), c.end());
         samples.d.insert(samples.d.end(), d.begin(), d.end());
