@@ -211,12 +211,7 @@ std::optional<SlowRates> delayed_pencil(const ScaledRun& run, const std::vector<
     if (!rates.allFinite()) {
         return std::nullopt;
     }
-    const Matrix v = shapes(run, z, rates);
-    // Columns of unit length: the determinant is the sine of the angle between the shapes.
-    if (!(std::abs(v.determinant()) > 1e-6 * v.col(0).norm() * v.col(1).norm())) {
-        return std::nullopt;
-    }
-    return rates_of(Matrix(v * rates.asDiagonal() * v.inverse()));
+    return rates_of_modes(rates, shapes(run, z, rates));
 }
 
 std::optional<Eigen::VectorXd> pencil_start(const FitProblem& problem, Pencil kind,

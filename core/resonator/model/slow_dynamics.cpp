@@ -82,6 +82,16 @@ SlowRates rates_of(const Matrix& m) {
                      -m.trace().real() / 2};
 }
 
+std::optional<SlowRates> rates_of_modes(const Eigen::Vector2cd& eigenvalues, const Matrix& shapes) {
+    // Of columns of unit length the determinant is the sine of the angle between the shapes.
+    constexpr double least_sine = 1e-6;
+    if (!(std::abs(shapes.determinant()) >
+          least_sine * shapes.col(0).norm() * shapes.col(1).norm())) {
+        return {};
+    }
+    return rates_of(shapes * eigenvalues.asDiagonal() * shapes.inverse());
+}
+
 Eigen::Vector2cd eigenvalues_of(const Matrix& m) {
     const Complex middle = m.trace() / 2.0;
     const Complex s = std::sqrt(-(m - middle * Matrix::Identity()).determinant());

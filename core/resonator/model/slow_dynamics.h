@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <optional>
 
 namespace vybeg {
 
@@ -22,6 +23,11 @@ using SlowRates = Eigen::Matrix<double, rate_count, 1>;
 
 // The rates of a matrix; the imaginary part of its trace is not among them.
 SlowRates rates_of(const Eigen::Matrix2cd& m);
+
+// Those of the matrix that has these eigenvalues and, as columns, these eigenvectors; empty for
+// modes of one shape.
+std::optional<SlowRates> rates_of_modes(const Eigen::Vector2cd& eigenvalues,
+                                        const Eigen::Matrix2cd& shapes);
 
 // The eigenvalues of a matrix, and the matrix whose exponential it is, with the logarithms of least
 // imaginary part: in closed form, which does not mind coinciding modes. Precondition of the second:

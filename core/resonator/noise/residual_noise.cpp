@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -178,33 +179,20 @@ bool same_grid(const ResidualSeries& a, const ResidualSeries& b) {
     return a.time_s == b.time_s && a.noise == b.noise && a.window_s == b.window_s;
 }
 
-// One shape beside white noise: series on the same grid share it, except for the phase, whose noise
-// depends on the wave's size.
-class WhiteSpectra {
-public:
-    const Decomposition& of(const NoiseShape& shape, const ResidualSeries& run) {
-        const auto found = std::ranges::find_if(known_, [&](const Known& known) {
-            return known.run == &run || (!shape.of_phase && same_grid(*known.run, run));
-        });
-        if (found != known_.end()) {
-            return found->decomposition;
-        }
-        known_.push_back({&run, Decomposition(part_covariance(shape, run))});
-        return known_.back().decomposition;
-    }
-
-private:
-    struct Known {
-        const ResidualSeries* run;
-        Decomposition decomposition;
-    };
-    std::vector<Known> known_;
-};
-
 // Possible shape of a part of the noise.
 struct Candidate {
     NoiseShape shape;
-    WhiteSpectra white;
+    std::vector<std::pair<const ResidualSeries*, Decomposition>> known{};
+
+    // Beside white noise: series on the same grid share it, except for the phase, whose noise
+    // depends on the wave's size.
+    const Decomposition& beside_white(const ResidualSeries& run) {
+        const auto found = std::ranges::find_if(known, [&](const auto& each) {
+            return each.first == &run || (!shape.of_phase && same_grid(*each.first, run));
+        });
+        return found != known.end() ? found->second
+                                    : known.emplace_back(&run, part_covariance(shape, run)).second;
+    }
 };
 
 bool concerns(const NoiseShape& shape, std::size_t series) {
@@ -228,11 +216,11 @@ public:
         }
         for (int k = 0; k < widths; ++k) {
             const double width = std::ldexp(narrowest_width / longest_s, k);
-            common_.push_back({{width, false}, {}});
-            phase_.push_back({{width, true}, {}});
+            common_.push_back({{width, false}});
+            phase_.push_back({{width, true}});
         }
-        common_.push_back({{std::numeric_limits<double>::infinity(), false}, {}});
-        phase_.push_back({{0, true}, {}});
+        common_.push_back({{std::numeric_limits<double>::infinity(), false}});
+        phase_.push_back({{0, true}});
     }
 
     ResidualNoise find() {
@@ -324,7 +312,7 @@ private:
             Spectrum at;
             at.rotated = block.residual_and_absorbed;
             if (is_white(block, given)) {
-                rotate(candidate.white.of(shape, *block.run), at);
+                rotate(candidate.beside_white(*block.run), at);
             } else {
                 const Eigen::LLT<MatrixXd> factor(covariance(block, given));
                 MatrixXd k = part_covariance(shape, *block.run);

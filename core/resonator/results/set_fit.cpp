@@ -8,8 +8,6 @@
 #include "core/resonator/results/structured_verdict.h"
 #include "core/resonator/runs/merge_windows.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -62,23 +60,6 @@ std::vector<PhasorRun> merged(std::span<const PhasorRun> runs, std::size_t windo
         merged.push_back(merge_windows(run, std::max(windows, enough_windows_of(run))));
     }
     return merged;
-}
-
-// Rates of the M that has these modes; empty for modes of one shape.
-std::optional<SlowRates> rates_of_modes(const ModeSum& modes) {
-    constexpr double least_sine = 1e-6;
-    Eigen::Matrix2cd shapes;
-    shapes << modes.shapes[0], modes.shapes[1];
-    if (!(std::abs(shapes.determinant()) >
-          least_sine * modes.shapes[0].norm() * modes.shapes[1].norm())) {
-        return {};
-    }
-    const Eigen::Vector2cd rates(modes.rates[0], modes.rates[1]);
-    return rates_of(Eigen::Matrix2cd(shapes * rates.asDiagonal() * shapes.inverse()));
-}
-
-std::size_t number_of_windows(const PhasorRun& run) {
-    return run.time_s.size();
 }
 
 }  // namespace
@@ -439,7 +420,9 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
     if (runs_.size() == 1) {
         const std::optional<ModeSum> modes = modes_of(0, near.p);
         if (modes && !(near.chi2 < close * modes->chi2)) {
-            if (const std::optional<SlowRates> rates = rates_of_modes(*modes)) {
+            Eigen::Matrix2cd shapes;
+            shapes << modes->shapes[0], modes->shapes[1];
+            if (const auto rates = rates_of_modes({modes->rates[0], modes->rates[1]}, shapes)) {
                 MapFit fit = minimise(problem, parameters_under(problem, *rates), 60, task_.job);
                 near = fit.cost < near.cost ? std::move(fit) : std::move(near);
             }
@@ -522,7 +505,8 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
         return std::move(coarse.set);
     }
     const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
-    if (std::ranges::equal(runs, finer, {}, number_of_windows, number_of_windows)) {
+    const auto windows_of = [](const PhasorRun& run) { return run.time_s.size(); };
+    if (std::ranges::equal(runs, finer, {}, windows_of, windows_of)) {
         return std::move(coarse.set);
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
