@@ -98,9 +98,8 @@ double misfit_of(const test::ViolatedSet& set, const test::ViolatedSet& faultles
         start.tail(run.own.size()) = run.own;
     }
     const auto chi2 = [&](const std::vector<PhasorRun>& runs) {
-        const std::vector<ScaledRun> scaled = scaled_runs(runs, fit.motion.scale);
-        FitProblem problem{scaled, layout_of(scaled), {}};
-        problem.priors = structured_priors(scaled, problem.layout, {});
+        FitProblem problem = problem_of(scaled_runs(runs, fit.motion.scale));
+        problem.priors = structured_priors(problem.runs, problem.layout, {});
         return minimise(problem, start, 200, {}).chi2;
     };
     return std::sqrt(std::max(0.0, chi2(set.runs) - chi2(faultless.runs)));

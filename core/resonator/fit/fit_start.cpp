@@ -126,7 +126,7 @@ void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
     std::vector<Alone> alone;
     Eigen::VectorXd own = best.p;
     for (std::size_t k = 0; k < problem.runs.size() && !job.cancelled(); ++k) {
-        FitProblem one = part_of(problem, std::array{k}, problem.runs.subspan(k, 1));
+        FitProblem one = part_of(problem, std::array{k});
         const MapFit fit = fit_from_nothing(one, job);
         own.segment(problem.layout.at(k, 0), problem.layout.own_size(k)) =
             own_of(one.layout, fit.p, 0);
@@ -145,17 +145,17 @@ void try_alone(FitProblem& problem, const JobControl& job, MapFit& best) {
 }
 
 struct Turned {
-    std::vector<ScaledRun> runs;
+    FitProblem problem;
     double mean_square = 0;  // mean square of the phases, in units of the windows' noise
 };
 
-// The runs with their phasors rotated to the phases predicted by a fit.
+// The problem with the runs' phasors rotated to the phases predicted by a fit.
 Turned turned_by(const FitProblem& problem, const MapFit& fit) {
     constexpr double clear = 0.2;  // largest residual share of a wave
-    Turned turned{{problem.runs.begin(), problem.runs.end()}, 0};
+    Turned turned{problem};
     double count = 0;
-    for (std::size_t k = 0; k < turned.runs.size(); ++k) {
-        ScaledRun& run = turned.runs[k];
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        ScaledRun& run = turned.problem.runs[k];
         const std::vector<Eigen::Vector2cd> expected = expected_phasors(problem, fit.p, k);
         double left = 0;
         for (std::size_t window = 0; window < run.size(); ++window) {
@@ -176,14 +176,6 @@ Turned turned_by(const FitProblem& problem, const MapFit& fit) {
     }
     turned.mean_square /= count;
     return turned;
-}
-
-// Fit of the rotated runs, from p, with their chi2.
-MapFit fit_turned(const FitProblem& problem, const Turned& turned, const Eigen::VectorXd& p,
-                  const JobControl& job) {
-    FitProblem in_phase = problem;
-    in_phase.runs = turned.runs;
-    return minimise(in_phase, p, all_steps, job);
 }
 
 }  // namespace
@@ -270,7 +262,7 @@ MapFit refit_in_phase(const FitProblem& problem, const MapFit& fit, const JobCon
     if (turned.mean_square < large) {
         return fit;
     }
-    MapFit again = fit_turned(problem, turned, fit.p, job);
+    MapFit again = minimise(turned.problem, fit.p, all_steps, job);
     again.chi2 = chi_square(problem, again.p);
     return again;
 }
@@ -289,7 +281,7 @@ std::optional<MapFit> fit_still_in_phase(const FitProblem& problem, const MapFit
     FitProblem still = problem;
     still.priors = first_priors(problem.priors, problem.layout, FirstFit::drifting_wave);
     const MapFit wave = minimise(still, still_waves(problem), all_steps, job);
-    MapFit fit = fit_turned(problem, turned_by(problem, wave), wave.p, job);
+    MapFit fit = minimise(turned_by(problem, wave).problem, wave.p, all_steps, job);
     // One of the four numbers of a window, the phase, is not used.
     if (fit.chi2 > noise_limit(0.75 * dof)) {
         return {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -213,12 +214,10 @@ ScaledRun thinned(const ScaledRun& run, std::size_t every, std::size_t windows) 
 
 }  // namespace
 
-ParameterLayout layout_of(std::span<const ScaledRun> runs) {
+FitProblem problem_of(std::vector<ScaledRun> runs) {
     std::vector<std::size_t> breaks;
-    for (const ScaledRun& run : runs) {
-        breaks.push_back(run.break_parameters());
-    }
-    return ParameterLayout(breaks);
+    std::ranges::transform(runs, std::back_inserter(breaks), &ScaledRun::break_parameters);
+    return {std::move(runs), ParameterLayout(breaks), {}};
 }
 
 Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
@@ -237,16 +236,17 @@ Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
     return part;
 }
 
-FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
-                   std::span<const ScaledRun> runs) {
-    const auto part = [&](const Eigen::VectorXd& of_all) {
-        return part_of(problem.layout, of_all, which);
-    };
-    return {runs,
-            layout_of(runs),
-            {part(problem.priors.mean), part(problem.priors.sd)},
-            problem.noise_ratio,
-            problem.damping_share};
+FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which) {
+    std::vector<ScaledRun> runs;
+    for (const std::size_t k : which) {
+        runs.push_back(problem.runs[k]);
+    }
+    FitProblem part = problem_of(std::move(runs));
+    part.priors = {part_of(problem.layout, problem.priors.mean, which),
+                   part_of(problem.layout, problem.priors.sd, which)};
+    part.noise_ratio = problem.noise_ratio;
+    part.damping_share = problem.damping_share;
+    return part;
 }
 
 Eigen::VectorXd own_of(const ParameterLayout& layout, const Eigen::VectorXd& p, std::size_t run) {
@@ -339,12 +339,10 @@ MapFit minimise(const FitProblem& problem, const Eigen::VectorXd& start, int ste
     if (every < 2) {
         return descend(problem, start, steps, job, windows);
     }
-    std::vector<ScaledRun> runs;
-    for (const ScaledRun& run : problem.runs) {
-        runs.push_back(thinned(run, every, windows));
-    }
     FitProblem thin = problem;
-    thin.runs = runs;
+    for (ScaledRun& run : thin.runs) {
+        run = thinned(run, every, windows);
+    }
     const MapFit near = descend(thin, start, steps, job, most);
     return descend(problem, near.p, near.converged ? steps : std::min(steps, last_steps), job,
                    windows);

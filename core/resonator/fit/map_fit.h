@@ -25,7 +25,7 @@ struct HeldDirection {
 // Sum of squares whose minimum is the maximum of the posterior: weighted residuals of the windows,
 // priors, and held directions.
 struct FitProblem {
-    std::span<const ScaledRun> runs;
+    std::vector<ScaledRun> runs;
     ParameterLayout layout;
     Priors priors;
     double noise_ratio =
@@ -34,11 +34,11 @@ struct FitProblem {
     std::vector<HeldDirection> held = {};
 };
 
-ParameterLayout layout_of(std::span<const ScaledRun> runs);
+// The problem of these runs, without priors yet.
+FitProblem problem_of(std::vector<ScaledRun> runs);
 
-// The problem of some of its runs, `which`, with the same priors. `runs`: those runs.
-FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which,
-                   std::span<const ScaledRun> runs);
+// The problem of some of its runs, `which`, with the same priors.
+FitProblem part_of(const FitProblem& problem, std::span<const std::size_t> which);
 // Their parameters among all.
 Eigen::VectorXd part_of(const ParameterLayout& layout, const Eigen::VectorXd& p,
                         std::span<const std::size_t> which);

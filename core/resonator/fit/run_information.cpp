@@ -238,12 +238,10 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
                               .select(none, largest.array() * Eigen::pow(4.0, place.array() - 3)));
     }
     FitProblem problem = start;
-    std::vector<ScaledRun> moved(start.runs.begin(), start.runs.end());
-    problem.runs = moved;
     const std::vector<Index> active = active_shared(problem);
     const auto shared = static_cast<Index>(active.size());
     std::vector<RunDeviation> deviation;
-    std::ranges::transform(moved, std::back_inserter(deviation), &ScaledRun::deviation);
+    std::ranges::transform(problem.runs, std::back_inserter(deviation), &ScaledRun::deviation);
     Spread found{.p = p};
     RunDeviation best = largest;
     const int steps = follow ? 6 : 1;
@@ -354,8 +352,8 @@ Spread spread_of(const FitProblem& start, const VectorXd& p, std::span<const dou
         // Own parameters follow in a fit, with the deviations held.
         deviation = to;
         found.p(active) += move;
-        for (std::size_t k = 0; k < moved.size(); ++k) {
-            moved[k].deviation = deviation[k];
+        for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+            problem.runs[k].deviation = deviation[k];
         }
         const MapFit fit = minimise(problem, found.p, 10, job);
         found.p = fit.p;

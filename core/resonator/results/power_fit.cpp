@@ -70,22 +70,23 @@ void add_linear(const PowerRun& run, Eigen::MatrixXd& information, Eigen::Vector
 }
 
 // The phasors turned to those of the motion.
-void turn_to(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<ScaledRun>& scaled) {
-    for (std::size_t k = 0; k < scaled.size(); ++k) {
+void turn_to(const Eigen::VectorXd& p, FitProblem& problem) {
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
         const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         for (std::size_t row = 0; row < expected.size(); ++row) {
-            const std::complex<double> along = expected[row].dot(scaled[k].z[row]);
-            scaled[k].z[row] *= std::polar(1.0, -std::arg(along));
+            Vector2cd& z = problem.runs[k].z[row];
+            const std::complex<double> along = expected[row].dot(z);
+            z *= std::polar(1.0, -std::arg(along));
         }
     }
 }
 
 // Noise of the rows about the motion, by third differences of what it leaves: as large in the
 // phasors at any amplitude, or in the powers, whichever is likelier.
-void take_noise(const std::vector<ScaledRun>& scaled, const FitProblem& problem,
-                const Eigen::VectorXd& p, std::vector<PhasorRun>& runs, double scale) {
+void take_noise(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<PhasorRun>& runs,
+                double scale) {
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        const ScaledRun& run = scaled[k];
+        const ScaledRun& run = problem.runs[k];
         const std::vector<Vector2cd> expected = expected_phasors(problem, p, k);
         std::array<double, 2> square{};  // over those of the law
         std::array<double, 2> log_sd{};
@@ -123,42 +124,37 @@ void take_noise(const std::vector<ScaledRun>& scaled, const FitProblem& problem,
     }
 }
 
-// The parts of a set that a problem refers to.
-struct PowerProblem {
-    std::vector<ScaledRun> scaled;
-    FitProblem problem;
-
-    PowerProblem(std::span<const PhasorRun> runs, double scale, const FitOptions& options)
-        : scaled(scaled_runs(runs, scale)), problem{scaled, layout_of(scaled), {}} {
-        problem.priors = structured_priors(scaled, problem.layout, options.tolerance);
-        for (std::size_t k = 0; k < runs.size(); ++k) {
-            for (const int own : {frequency_at, drift_at}) {
-                problem.priors.sd[problem.layout.at(k, own)] = 0;
-            }
-            // One phase of the start is free: the larger phasor is real.
-            constexpr double held = 1e-7;
-            const bool c_larger = scaled[k].z[0][0].real() >= scaled[k].z[0][1].real();
-            problem.priors.sd[problem.layout.at(k, start_at + (c_larger ? 1 : 3))] = held;
+FitProblem power_problem(std::span<const PhasorRun> runs, double scale, const FitOptions& options) {
+    FitProblem problem = problem_of(scaled_runs(runs, scale));
+    problem.priors = structured_priors(problem.runs, problem.layout, options.tolerance);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        for (const int own : {frequency_at, drift_at}) {
+            problem.priors.sd[problem.layout.at(k, own)] = 0;
         }
+        // One phase of the start is free: the larger phasor is real.
+        constexpr double held = 1e-7;
+        const Vector2cd& z = problem.runs[k].z[0];
+        const bool c_larger = z[0].real() >= z[1].real();
+        problem.priors.sd[problem.layout.at(k, start_at + (c_larger ? 1 : 3))] = held;
     }
-    PowerProblem(const PowerProblem&) = delete;
-    PowerProblem& operator=(const PowerProblem&) = delete;
+    return problem;
+}
 
-    Eigen::VectorXd start(const Eigen::VectorXd& linear) const {
-        Eigen::VectorXd p = problem.priors.mean;
-        constexpr double turn = 2 * std::numbers::pi;
-        p[decay_at] = linear[0] / 2;
-        p[damping_cos_at] = linear[1];
-        p[damping_sin_at] = linear[2];
-        p[split_sin_at] = linear[3] / turn;
-        p[split_cos_at] = linear[4] / turn;
-        p[rotation_at] = linear[5] / 2;
-        for (std::size_t k = 0; k < scaled.size(); ++k) {
-            p.segment<4>(problem.layout.at(k, start_at)) = real_parts(scaled[k].z[0]);
-        }
-        return p;
+// The parameters by linear_powers().
+Eigen::VectorXd linear_start(const FitProblem& problem, const Eigen::VectorXd& linear) {
+    Eigen::VectorXd p = problem.priors.mean;
+    constexpr double turn = 2 * std::numbers::pi;
+    p[decay_at] = linear[0] / 2;
+    p[damping_cos_at] = linear[1];
+    p[damping_sin_at] = linear[2];
+    p[split_sin_at] = linear[3] / turn;
+    p[split_cos_at] = linear[4] / turn;
+    p[rotation_at] = linear[5] / 2;
+    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+        p.segment<4>(problem.layout.at(k, start_at)) = real_parts(problem.runs[k].z[0]);
     }
-};
+    return p;
+}
 
 void refuse_frequencies(ResonatorFit& fit) {
     const Estimate none{.reason = {ReasonCode::phase_lost, {}}};
@@ -218,45 +214,41 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
                                                std::abs(found.runs.back().d[k])));
         }
     }
-    const Eigen::VectorXd linear = linear_powers(powers);
-    Eigen::VectorXd p;
     // The noise of the rows follows from what a first fit leaves.
-    {
-        PowerProblem first(found.runs, scale, options);
-        p = first.start(linear);
-        set_damping(first.problem.priors, std::max(p[decay_at], 1e-12));
-        p = minimise(first.problem, p, power_steps, job).p;
-        turn_to(first.problem, p, first.scaled);
-        take_noise(first.scaled, first.problem, p, found.runs, scale);
-    }
-    PowerProblem last(found.runs, scale, options);
-    set_damping(last.problem.priors, std::max(p[decay_at], 1e-12));
+    FitProblem problem = power_problem(found.runs, scale, options);
+    Eigen::VectorXd p = linear_start(problem, linear_powers(powers));
+    set_damping(problem.priors, std::max(p[decay_at], 1e-12));
+    p = minimise(problem, p, power_steps, job).p;
+    turn_to(p, problem);
+    take_noise(problem, p, found.runs, scale);
+    problem = power_problem(found.runs, scale, options);
+    set_damping(problem.priors, std::max(p[decay_at], 1e-12));
     for (std::size_t k = 0; k < found.runs.size(); ++k) {
         for (const int own : {start_at + 1, start_at + 3}) {
-            const Index at = last.problem.layout.at(k, own);
-            if (last.problem.priors.sd[at] < 1) {
-                last.problem.priors.mean[at] = p[at];
+            const Index at = problem.layout.at(k, own);
+            if (problem.priors.sd[at] < 1) {
+                problem.priors.mean[at] = p[at];
             }
         }
     }
-    MapFit fit = minimise(last.problem, p, power_steps, job);
+    MapFit fit = minimise(problem, p, power_steps, job);
     if (!std::isfinite(fit.cost)) {
         return Error{ErrorCode::fit_failed,
                      "the recordings",
                      {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
     }
-    SetExamination examination = examine_set(last.problem, fit, options.spread, job);
+    SetExamination examination = examine_set(problem, fit, options.spread, job);
     if (examination.verdict == SetVerdict::spread) {
-        for (std::size_t k = 0; k < last.scaled.size(); ++k) {
-            last.scaled[k].deviation = examination.spread.deviation[k];
+        for (std::size_t k = 0; k < problem.runs.size(); ++k) {
+            problem.runs[k].deviation = examination.spread.deviation[k];
         }
-        fit = minimise(last.problem, examination.spread.p, power_steps, job);
+        fit = minimise(problem, examination.spread.p, power_steps, job);
     }
-    turn_to(last.problem, fit.p, last.scaled);
+    turn_to(fit.p, problem);
     TRY(job.go_on());
     found.fit = describe({found.runs,
                           found.runs,
-                          &last.problem,
+                          &problem,
                           fit,
                           ResonatorModel::structured,
                           scale,

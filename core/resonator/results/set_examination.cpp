@@ -31,21 +31,18 @@ constexpr double brought_back = 25;
 constexpr std::size_t most_trials = 4;
 constexpr int refit_steps = 60;
 
-// Some runs of a set with their fit; the problem refers to the runs.
+// Some runs of a set with their fit.
 struct PartFit {
-    std::vector<ScaledRun> runs;
     FitProblem problem;
     MapFit fit;
 };
 
-// From the joint parameters; where the fit from there costs no more than `hopeful`, which the other
-// takes many times longer for, from nothing, too.
-PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const std::size_t> which,
-                 std::vector<ScaledRun> runs, const JobControl& job,
+// From a start; where the fit from there costs no more than `hopeful`, which the other takes many
+// times longer for, from nothing, too.
+PartFit part_fit(FitProblem problem, const VectorXd& start, const JobControl& job,
                  double hopeful = std::numeric_limits<double>::infinity()) {
-    FitProblem problem = part_of(whole, which, runs);
     FitProblem anew = problem;
-    MapFit fit = fit_from(problem, part_of(whole.layout, joint.p, which), job);
+    MapFit fit = fit_from(problem, start, job);
     if (!(fit.cost > hopeful)) {
         MapFit from_nothing = fit_from_nothing(anew, job);
         if (!(fit.cost < from_nothing.cost)) {
@@ -53,17 +50,7 @@ PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const s
             problem = std::move(anew);
         }
     }
-    // The problem keeps referring to the runs where they are.
-    return {std::move(runs), std::move(problem), std::move(fit)};
-}
-
-PartFit part_fit(const FitProblem& whole, const MapFit& joint, std::span<const std::size_t> which,
-                 const JobControl& job) {
-    std::vector<ScaledRun> runs;
-    for (const std::size_t k : which) {
-        runs.push_back(whole.runs[k]);
-    }
-    return part_fit(whole, joint, which, std::move(runs), job);
+    return {std::move(problem), std::move(fit)};
 }
 
 std::vector<std::size_t> all_of(std::size_t count) {
@@ -150,7 +137,7 @@ public:
             return agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
-            alone_.push_back(part_fit(problem_, joint_, std::array{k}, job_));
+            alone_.push_back(fit_alone(k, problem_.runs[k]));
             const Posterior at = posterior(alone_.back().problem, alone_.back().fit);
             noise_[k] = own_noise(alone_.back(), at, job_);
             known_.push_back(known_by(at));
@@ -197,6 +184,14 @@ private:
     // One run agrees with itself.
     bool possible() const { return count_ > 1 && joint_.p.allFinite(); }
 
+    // A run by itself, `run` in its place.
+    PartFit fit_alone(std::size_t k, const ScaledRun& run) const {
+        FitProblem problem = part_of(problem_, std::array{k});
+        problem.runs[0] = run;
+        return part_fit(std::move(problem), part_of(problem_.layout, joint_.p, std::array{k}),
+                        job_);
+    }
+
     // Exchanged channels or a changed sign of D in one run that a spread would hide.
     bool name_turned(SetExamination& out) const {
         if (count_ > 2 * most_trials) {
@@ -204,10 +199,9 @@ private:
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             for (const auto& [cause, run] : with_other_channels(problem_.runs[k])) {
-                std::vector<ScaledRun> runs(problem_.runs.begin(), problem_.runs.end());
-                runs[k] = run;
-                const PartFit turned =
-                    part_fit(problem_, joint_, all_of(count_), std::move(runs), job_, joint_.cost);
+                FitProblem problem = problem_;
+                problem.runs[k] = run;
+                const PartFit turned = part_fit(std::move(problem), joint_.p, job_, joint_.cost);
                 const double fall = joint_.cost - turned.fit.cost;
                 if (fall > margin && runs_agree(turned.problem, turned.fit.p, noise_)) {
                     out.foreign.push_back(k);
@@ -236,7 +230,6 @@ private:
     // most alone: where the others agree, one of these is near.
     PartFit without(std::size_t out) const {
         const std::vector<std::size_t> which = all_but(count_, out);
-        std::vector<ScaledRun> runs;
         VectorXd own = part_of(problem_.layout, joint_.p, which);
         std::vector<std::size_t> order = which;
         std::ranges::stable_sort(
@@ -245,7 +238,6 @@ private:
         std::vector<VectorXd> starts{own};
         Index next = shared_count;
         for (const std::size_t k : which) {
-            runs.push_back(problem_.runs[k]);
             const VectorXd& alone = alone_[k].fit.p;
             own.segment(next, alone.size() - shared_count) =
                 alone.tail(alone.size() - shared_count);
@@ -255,7 +247,7 @@ private:
             own.head(shared_count) = alone_[k].fit.p.head(shared_count);
             starts.push_back(own);
         }
-        FitProblem problem = part_of(problem_, which, runs);
+        FitProblem problem = part_of(problem_, which);
         MapFit best;
         best.cost = std::numeric_limits<double>::infinity();
         for (const VectorXd& start : starts) {
@@ -266,7 +258,7 @@ private:
                 problem = std::move(trial);
             }
         }
-        return {std::move(runs), std::move(problem), std::move(best)};
+        return {std::move(problem), std::move(best)};
     }
 
     void leave_one_out(SetExamination& out) {
@@ -317,8 +309,8 @@ private:
         const std::vector<Index> active = active_shared(others.problem);
         const auto n = static_cast<Index>(active.size());
         MatrixXd covariance = at.covariance.topLeftCorner(n, n);
-        const std::vector<ScaledRun> one{run};
-        FitProblem trial = part_of(problem_, std::array{k}, one);
+        FitProblem trial = part_of(problem_, std::array{k});
+        trial.runs[0] = run;
         for (const int parameter : open) {
             const double wide =
                 parameter == kappa_at ? 0.1 : std::max(1 / run.duration_s, others.fit.p[decay_at]);
@@ -371,8 +363,8 @@ private:
             }
         };
         for (const auto& [cause, turned] : with_other_channels(run)) {
-            const PartFit alone = part_fit(problem_, joint_, std::array{k}, {turned}, job_);
-            consider(predicted(k, turned, alone.fit, {}).beyond, words(cause, {name}));
+            consider(predicted(k, turned, fit_alone(k, turned).fit, {}).beyond,
+                     words(cause, {name}));
         }
         if (best < enough || !structured_) {
             return;

@@ -78,27 +78,26 @@ SetFit::SetFit(std::vector<PhasorRun> runs, std::span<const PhasorRun> fine,
                std::span<const Eigen::Matrix2d> whitenings, const FitTask& task,
                const TrialStart& start)
     : runs_(std::move(runs)),
-      scaled_(whitened_runs(runs_, task.scale, whitenings)),
       task_(task),
-      problem_{scaled_, layout_of(scaled_), {}},
+      problem_(problem_of(whitened_runs(runs_, task.scale, whitenings))),
       set_{.runs = runs_,
            .fine = fine,
            .problem = &problem_,
            .scale = task.scale,
            .tolerance = with_assumed(task.options).tolerance},
       start_(start.p) {
-    problem_.priors = structured_priors(scaled_, problem_.layout, task_.options.tolerance);
+    problem_.priors = structured_priors(problem_.runs, problem_.layout, task_.options.tolerance);
     if (is_trial()) {
         problem_.noise_ratio = std::numeric_limits<double>::infinity();
     }
     for (std::size_t k = 0; k < start.deviation.size(); ++k) {
-        scaled_[k].deviation = start.deviation[k];
+        problem_.runs[k].deviation = start.deviation[k];
     }
 }
 
 TrialStart SetFit::with_room_for(const FittedBreak& found) const {
     Eigen::Index place = problem_.layout.at(found.run, own_count);
-    for (const RunBreak& each : scaled_[found.run].breaks) {
+    for (const RunBreak& each : problem_.runs[found.run].breaks) {
         place += each.time_s < found.time_s ? break_size(each.kind) : 0;
     }
     const Eigen::VectorXd& p = set_.fit.p;
@@ -134,7 +133,7 @@ NeededWindows SetFit::solve() {
 }
 
 Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
-    FitProblem one = part_of(problem_, std::array{run}, problem_.runs.subspan(run, 1));
+    FitProblem one = part_of(problem_, std::array{run});
     one.priors.mean.head(shared_count) = shared;
     one.priors.sd.head(shared_count).setZero();
     Eigen::VectorXd start(one.layout.size());
@@ -228,8 +227,8 @@ void SetFit::examine() {
         examination_ = agreeing_set(problem_, set_.fit, task_.options.spread, task_.job);
     }
     if (examination_.verdict == SetVerdict::spread) {
-        for (std::size_t k = 0; k < scaled_.size(); ++k) {
-            scaled_[k].deviation = examination_.spread.deviation[k];
+        for (std::size_t k = 0; k < problem_.runs.size(); ++k) {
+            problem_.runs[k].deviation = examination_.spread.deviation[k];
         }
         set_.fit = minimise(problem_, examination_.spread.p, cubic_steps, task_.job);
     }
@@ -293,7 +292,7 @@ void SetFit::try_cubic() {
         return;
     }
     FitProblem with = problem_;
-    open_cubic(with.priors, scaled_);
+    open_cubic(with.priors, problem_.runs);
     // A frequency that settles falls with the amplitude, too.
     const double settling = set_.fit.chi2 - settling_score(problem_, at).fall;
     MapFit fit = minimise(with, set_.fit.p, first_cubic_steps, task_.job);
@@ -349,7 +348,7 @@ bool SetFit::is_of_free_runs() const {
 }
 
 MapFit SetFit::fit_freely(FitProblem& free) const {
-    free.priors = free_priors(scaled_, problem_.layout);
+    free.priors = free_priors(problem_.runs, problem_.layout);
     Eigen::VectorXd start = set_.fit.p;
     for (const ChannelError& error : channel_errors) {
         start[error.parameter] = free.priors.mean[error.parameter];
@@ -381,7 +380,7 @@ void SetFit::choose_model() {
 }
 
 std::optional<ModeSum> SetFit::modes_of(std::size_t run, const Eigen::VectorXd& p) const {
-    const ScaledRun& scaled = scaled_[run];
+    const ScaledRun& scaled = problem_.runs[run];
     if (scaled.phase_lost || !scaled.breaks.empty() || !scaled.whitening.isIdentity(0)) {
         return {};
     }
@@ -444,7 +443,7 @@ MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::Vector
 
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {
     const bool opened = problem_.priors.sd[cubic_at] > plain_priors.sd[cubic_at];
-    if (!opened || scaled_.size() < 2 || task_.options.model == FitOptions::Model::free ||
+    if (!opened || problem_.runs.size() < 2 || task_.options.model == FitOptions::Model::free ||
         is_trial() || runs_agree(problem_, set_.fit.p)) {
         return false;
     }
@@ -461,7 +460,7 @@ bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_pr
     set_.fit = with;
     problem_.priors = with_priors;
     examination_ = {};
-    for (ScaledRun& run : scaled_) {
+    for (ScaledRun& run : problem_.runs) {
         run.deviation.setZero();
     }
     return false;

@@ -143,7 +143,6 @@ private:
     MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
 
     std::vector<PhasorRun> runs_;
-    std::vector<ScaledRun> scaled_;
     FitTask task_;
     FitProblem problem_;
     SolvedSet set_;            // refers to the runs and the problem

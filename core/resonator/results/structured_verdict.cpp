@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
-#include <vector>
 
 namespace vybeg {
 namespace {
@@ -40,26 +38,18 @@ constexpr std::array<Term, 5> terms{{{kappa_at, "kappa", 1, ""},
                                      {damping_sin_at, "g sin 4theta_tau", 1, "1/s"},
                                      {rotation_at, "r", 1, "rad/s"}}};
 
-// The runs with `scale` times the noise variance.
-std::vector<ScaledRun> with_noise(std::span<const ScaledRun> runs, double scale) {
-    std::vector<ScaledRun> noisier(runs.begin(), runs.end());
-    for (ScaledRun& run : noisier) {
-        for (double& weight : run.weight) {
-            weight /= std::sqrt(scale);
-        }
-    }
-    return noisier;
-}
-
 // `scale`: variance of the noise in units of that of the windows.
 StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const MapFit& free,
                         double scale, const ChannelTolerance& tolerance, const JobControl& job) {
     const double dof = degrees_of_freedom(problem);
     const bool fits = main.chi2 / dof < scale * (1 + fits_noise * std::sqrt(2 / dof));
     const double decay = std::abs((fits ? main.p : still_waves(problem))[decay_at]);
-    const std::vector<ScaledRun> runs = with_noise(problem.runs, scale);
     FitProblem narrow = problem;
-    narrow.runs = runs;
+    for (ScaledRun& run : narrow.runs) {
+        for (double& weight : run.weight) {
+            weight /= std::sqrt(scale);
+        }
+    }
     narrow.damping_share = damping_width;
     Priors& priors = narrow.priors;
     priors.sd[kappa_at] = std::max(kappa_width, tolerance.kappa);
