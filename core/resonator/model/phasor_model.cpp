@@ -39,10 +39,20 @@ RealMap real(const Eigen::Matrix2cd& map) {
     return out;
 }
 
-// exp(M t) and its derivatives by the rates, for a z of each of the four units.
+// Most of the time goes into the derivatives.
+enum class Wanted { motion, derivatives };
+
+// exp(M t) and, if wanted, its derivatives by the rates, for a z of each of the four units.
 struct Propagation {
-    explicit Propagation(const SlowDynamics::Propagation& step)
-        : value(step.value), real_value(real(step.value)) {
+    Propagation(const SlowDynamics& dynamics, double t, Wanted wanted) {
+        if (wanted == Wanted::motion) {
+            value = dynamics.propagator(t);
+            by_rate.fill(RealRows<rate_count>::Zero());
+            return;
+        }
+        const SlowDynamics::Propagation step = dynamics.propagation(t);
+        value = step.value;
+        real_value = real(step.value);
         for (int rate = 0; rate < rate_count; ++rate) {
             const RealMap by = real(step.by_rate[static_cast<std::size_t>(rate)]);
             for (std::size_t part = 0; part < 4; ++part) {
@@ -57,7 +67,7 @@ struct Propagation {
     }
 
     Eigen::Matrix2cd value;
-    RealMap real_value;
+    RealMap real_value = RealMap::Zero();
     std::array<RealRows<rate_count>, 4> by_rate;
 };
 
@@ -79,9 +89,6 @@ struct Motion {
     Vector2cd z;
     MotionDerivatives by;
 };
-
-// Most of the time goes into the derivatives.
-enum class Wanted { motion, derivatives };
 
 // Moves on through exp(M t).
 void propagate(Motion& motion, const Propagation& step, Wanted wanted) {
@@ -206,12 +213,12 @@ public:
             // Whole steps from the window before; at intervals exactly from the start.
             if (walk_.step_to(t, run_.step_s)) {
                 if (!step_) {
-                    step_.emplace(dynamics_.propagation(run_.step_s));
+                    step_.emplace(dynamics_, run_.step_s, wanted_);
                 }
                 propagate(now_, *step_, wanted_);
             } else {
                 now_ = begin_;
-                propagate(now_, Propagation(dynamics_.propagation(t)), wanted_);
+                propagate(now_, Propagation(dynamics_, t, wanted_), wanted_);
             }
             return now_;
         }
@@ -220,7 +227,7 @@ public:
         const auto count = std::max(1.0, std::round(length / run_.step_s));
         const double h = length / count;
         if (!step_ || std::abs(h - h_) > 1e-9 * h_) {
-            step_.emplace(dynamics_.propagation(h));
+            step_.emplace(dynamics_, h, wanted_);
             h_ = h;
             kick_.reset();
         }
@@ -376,26 +383,7 @@ void for_expected(const ScaledRun& run, const Eigen::VectorXd& of_set, const Eig
         const Vector2cd wave = turn.transpose() * (mean.drifts() ? Vector2cd(mean.at(t) * z) : z);
         return Vector2cd(turn * channels.at(breaks, t).seen(wave));
     };
-    if (shared[cubic_at] == 0) {
-        const SlowDynamics dynamics(shared);
-        Vector2cd start = of_real_parts(own.head<4>());
-        const Eigen::Matrix2cd step = dynamics.propagator(run.step_s);
-        Walk walk;
-        Vector2cd z = start;
-        for (std::size_t k = 0; k < windows; ++k) {
-            const double t = run.time_s[k];
-            if (breaks.pass(t)) {
-                start = of_real_parts(own.head<4>()) + breaks.start();
-                walk = {};
-            }
-            z = walk.step_to(t, run.step_s) ? Vector2cd(step * z) : dynamics.propagator(t) * start;
-            if (!use(k, seen(t, z))) {
-                return;
-            }
-        }
-        return;
-    }
-    MotionSteps motion(run, shared, own, true, Wanted::motion);
+    MotionSteps motion(run, shared, own, shared[cubic_at] != 0, Wanted::motion);
     for (std::size_t k = 0; k < windows; ++k) {
         if (breaks.pass(run.time_s[k])) {
             motion.restart(breaks.start());
