@@ -72,6 +72,24 @@ bool above_noise(const FitProblem& problem, const MapFit& fit) {
     return fit.cost > problem.noise_ratio * residuals(problem, longest(problem));
 }
 
+// Free parameters of the fit to the first windows of the runs. Channels and cubic term are held in
+// both cases, because few windows cannot determine them.
+enum class FirstFit {
+    moving_wave,    // the rates; no drift
+    drifting_wave,  // the drift; a still wave that decays
+};
+Priors first_priors(Priors priors, const ParameterLayout& layout, FirstFit kind) {
+    for (Eigen::Index k = 0; k < layout.size(); ++k) {
+        const bool physical = prior_kind(layout, k) == PriorKind::physical;
+        const bool drift = physical && k >= shared_count;
+        const bool held = kind == FirstFit::moving_wave ? drift : physical && !drift;
+        if (prior_kind(layout, k) == PriorKind::channel || k == cubic_at || held) {
+            priors.sd[k] = 0;
+        }
+    }
+    return priors;
+}
+
 // Fit to the first windows, then to increasing numbers of windows.
 struct Lengthened {
     Eigen::VectorXd p;

@@ -85,16 +85,4 @@ void set_damping(Priors& priors, double width_per_s) {
     priors.sd[damping_cos_at] = priors.sd[damping_sin_at] = std::max(std::abs(width_per_s), 1e-6);
 }
 
-Priors first_priors(Priors priors, const ParameterLayout& layout, FirstFit kind) {
-    for (Eigen::Index k = 0; k < layout.size(); ++k) {
-        const bool physical = prior_kind(layout, k) == PriorKind::physical;
-        const bool drift = physical && k >= shared_count;
-        const bool held = kind == FirstFit::moving_wave ? drift : physical && !drift;
-        if (prior_kind(layout, k) == PriorKind::channel || k == cubic_at || held) {
-            priors.sd[k] = 0;
-        }
-    }
-    return priors;
-}
-
 }  // namespace vybeg

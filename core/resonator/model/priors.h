@@ -46,12 +46,4 @@ void open_cubic(Priors& priors, std::span<const ScaledRun> runs);
 // 1/tau carries no information.
 void set_damping(Priors& priors, double width_per_s);
 
-// Free parameters of the fit to the first windows of the runs. Channels and cubic term are held in
-// both cases, because few windows cannot determine them.
-enum class FirstFit {
-    moving_wave,    // the rates; no drift
-    drifting_wave,  // the drift; a still wave that decays
-};
-Priors first_priors(Priors priors, const ParameterLayout& layout, FirstFit kind);
-
 }  // namespace vybeg

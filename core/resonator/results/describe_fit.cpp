@@ -110,20 +110,19 @@ public:
         }
         set_.order = mode_order();
         set_.scattered = scattered();
-        const auto variances_with = [&](const ChannelTolerance& tolerance) {
-            set_.moved = moved_by(set_, tolerance);
-            return reported_variances(set_, beside);
+        const auto take_variances = [&] {
+            set_.moved = moved_by(set_);
+            set_.variances = reported_variances(set_, beside);
         };
-        if (structured) {
-            set_.variances = variances_with(set_.tolerance);
-        } else {
+        take_variances();
+        if (!structured) {
             // The channels of the free model are any two projections; only their drifts falsify it.
             // But the amplitudes and the angle of a wave are those of calibrated channels.
-            const ReportedVariances calibrated = variances_with(set_.tolerance);
+            const ReportedVariances calibrated = std::move(set_.variances);
             set_.tolerance = {.kappa = 0,
                               .phase_drift = set_.tolerance.phase_drift,
                               .gain_drift = set_.tolerance.gain_drift};
-            set_.variances = variances_with(set_.tolerance);
+            take_variances();
             for (std::size_t run = 0; run < set_.runs.size(); ++run) {
                 for (const int of : {a_A_of, a_B_of, two_theta_of}) {
                     const Eigen::Index at = quantity_of_run(run, of);
@@ -295,35 +294,6 @@ FittedMotion motion_of(const SolvedSet& set) {
 
 ResonatorFit describe(const SolvedSet& set, const JobControl& job) {
     return Description(set, job).made();
-}
-
-Diagnostic break_finding(const FittedBreak& found) {
-    const MessageArg recording = recording_arg(found.run);
-    const MessageArg at = number_arg(found.time_s, 4);
-    switch (found.kind) {
-        case BreakKind::phase:
-            return {DiagnosticKind::fitted_phase_step,
-                    {recording, number_arg(found.size[0], 3), at}};
-        case BreakKind::gain: {
-            // The end of a drive changes the decay of both channels alike.
-            constexpr double alike = 0.2;
-            constexpr double first_s = 10;
-            const double larger = std::max(std::abs(found.size[0]), std::abs(found.size[1]));
-            const bool drive =
-                found.time_s < first_s && std::abs(found.size[0] - found.size[1]) < alike * larger;
-            return {DiagnosticKind::fitted_gain_step,
-                    {recording, number_arg(100 * found.size[0], 2),
-                     number_arg(100 * found.size[1], 2), at,
-                     drive ? words(VYBEG_MESSAGE("Words",
-                                                 "a drive ends or an amplifier changes its range"))
-                           : words(VYBEG_MESSAGE("Words", "an amplifier changes its range"))}};
-        }
-        case BreakKind::start:
-            return {DiagnosticKind::fitted_knock,
-                    {recording, number_arg(100 * found.size[0], 2), at}};
-        case BreakKind::event: break;
-    }
-    return {DiagnosticKind::event_left_out, {recording, at, number_arg(2 * found.reach_s, 2)}};
 }
 
 }  // namespace vybeg

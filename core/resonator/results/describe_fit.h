@@ -11,7 +11,4 @@ FittedMotion motion_of(const SolvedSet& set);
 // converged yields no number, only its motion and the warning.
 ResonatorFit describe(const SolvedSet& set, const JobControl& job);
 
-// The warning that names a break.
-Diagnostic break_finding(const FittedBreak& found);
-
 }  // namespace vybeg

@@ -278,16 +278,16 @@ ReportedVariances reported_variances(const FittedSet& set,
     return out;
 }
 
-Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance) {
+Eigen::MatrixXd moved_by(const FittedSet& set) {
     Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(static_cast<Index>(set.posterior.active.size()),
                                                   errors + std::ssize(drift_errors));
     for (std::size_t k = 0; k < channel_errors.size(); ++k) {
-        const double size = tolerance.*channel_errors[k].tolerance;
+        const double size = set.tolerance.*channel_errors[k].tolerance;
         if (size > 0) {
             moved.col(static_cast<Index>(k)) = size * wrong_by(set, channel_errors[k].parameter);
         }
     }
-    const Eigen::Vector2d drifts(tolerance.phase_drift, tolerance.gain_drift);
+    const Eigen::Vector2d drifts(set.tolerance.phase_drift, set.tolerance.gain_drift);
     if (!drifts.isZero(0)) {
         moved.rightCols<2>() =
             followed(*set.problem, set.posterior, drift_effect(*set.problem, set.posterior)) *

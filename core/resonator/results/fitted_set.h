@@ -111,7 +111,7 @@ ReportedVariances reported_variances(const FittedSet& set, const std::vector<Pro
 // and gain, as large as those of D. With J e the error in the phasors,
 // S the covariance and F the information, S F_e e where the fit holds the error at zero, and
 // -S_e e/s^2 where it has the prior s.
-Eigen::MatrixXd moved_by(const FittedSet& set, const ChannelTolerance& tolerance);
+Eigen::MatrixXd moved_by(const FittedSet& set);
 
 // Adds by how much the resonator's parameters and the numbers of each mode are wrong per unit of
 // each error, in the order of resonator_parameters and of ModeEstimate; NaN if a parameter is not

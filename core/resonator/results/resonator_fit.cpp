@@ -5,6 +5,7 @@
 #include "core/resonator/runs/merge_windows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <iterator>
@@ -181,6 +182,36 @@ void name_step(const PhasorRun& run, const FittedMotion& motion, FittedBreak& fo
         beyond += (std::conj(expected[in].c) * run.c[in] + std::conj(expected[in].d) * run.d[in]) /
                   (run.sd[in] * run.sd[in]);
     }
+}
+
+// The warning that names a break.
+Diagnostic break_finding(const FittedBreak& found) {
+    const MessageArg recording = recording_arg(found.run);
+    const MessageArg at = number_arg(found.time_s, 4);
+    switch (found.kind) {
+        case BreakKind::phase:
+            return {DiagnosticKind::fitted_phase_step,
+                    {recording, number_arg(found.size[0], 3), at}};
+        case BreakKind::gain: {
+            // The end of a drive changes the decay of both channels alike.
+            constexpr double alike = 0.2;
+            constexpr double first_s = 10;
+            const double larger = std::max(std::abs(found.size[0]), std::abs(found.size[1]));
+            const bool drive =
+                found.time_s < first_s && std::abs(found.size[0] - found.size[1]) < alike * larger;
+            return {DiagnosticKind::fitted_gain_step,
+                    {recording, number_arg(100 * found.size[0], 2),
+                     number_arg(100 * found.size[1], 2), at,
+                     drive ? words(VYBEG_MESSAGE("Words",
+                                                 "a drive ends or an amplifier changes its range"))
+                           : words(VYBEG_MESSAGE("Words", "an amplifier changes its range"))}};
+        }
+        case BreakKind::start:
+            return {DiagnosticKind::fitted_knock,
+                    {recording, number_arg(100 * found.size[0], 2), at}};
+        case BreakKind::event: break;
+    }
+    return {DiagnosticKind::event_left_out, {recording, at, number_arg(2 * found.reach_s, 2)}};
 }
 
 // The breaks without those of a run that is left out.

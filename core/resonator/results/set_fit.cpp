@@ -108,7 +108,7 @@ TrialStart SetFit::with_room_for(const FittedBreak& found) const {
     return start;
 }
 
-NeededWindows SetFit::solve() {
+void SetFit::solve() {
     find_main();
     const MapFit plain = set_.fit;
     const Priors plain_priors = problem_.priors;
@@ -129,7 +129,6 @@ NeededWindows SetFit::solve() {
         }
         set_.fit = refit_in_phase(problem_, set_.fit, task_.job);
     }
-    return needed_windows(motion(), set_.fine);
 }
 
 Eigen::VectorXd SetFit::own_given(const Eigen::VectorXd& shared, std::size_t run) const {
@@ -470,26 +469,22 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
                                    const TrialStart& start) {
     // More than this costs minutes and is beyond the band of the recorded windows anyway.
     constexpr double most_windows = 4000;
-    struct Solution {
-        std::unique_ptr<SetFit> set;
-        NeededWindows needed;
-    };
     std::vector<Eigen::Matrix2d> whitenings;
     const auto solve_once = [&](const std::vector<PhasorRun>& runs) {
-        Solution out{std::make_unique<SetFit>(runs, good, whitenings, task, start), {}};
-        out.needed = out.set->solve();
-        return out;
+        auto set = std::make_unique<SetFit>(runs, good, whitenings, task, start);
+        set->solve();
+        return set;
     };
     const auto solve = [&](const std::vector<PhasorRun>& runs) {
-        Solution out = solve_once(runs);
+        auto set = solve_once(runs);
         // What a fit this far from the noise leaves does not show the noise.
-        if (!whitenings.empty() || out.set->chi2_per_dof() > hopeless) {
-            return out;
+        if (!whitenings.empty() || set->chi2_per_dof() > hopeless) {
+            return set;
         }
-        whitenings = vybeg::whitenings(out.set->motion(), good);
+        whitenings = vybeg::whitenings(set->motion(), good);
         const bool white =
             std::ranges::all_of(whitenings, [](const auto& one) { return one.isIdentity(0); });
-        return white ? std::move(out) : solve_once(runs);
+        return white ? std::move(set) : solve_once(runs);
     };
     const std::vector<PhasorRun> runs = merged(good, 0);
     const auto are_enough = [&good](double windows) {
@@ -497,22 +492,21 @@ std::unique_ptr<SetFit> solved_set(const std::vector<PhasorRun>& good, const Fit
             return !(windows > static_cast<double>(enough_windows_of(run)));
         });
     };
-    Solution coarse = solve(runs);
-    const double windows =
-        std::min(std::max(coarse.needed.by_motion, coarse.needed.by_line), most_windows);
+    std::unique_ptr<SetFit> coarse = solve(runs);
+    const NeededWindows needed = coarse->needed();
+    const double windows = std::min(std::max(needed.by_motion, needed.by_line), most_windows);
     if (are_enough(windows) || task.job.cancelled()) {
-        return std::move(coarse.set);
+        return coarse;
     }
     const std::vector<PhasorRun> finer = merged(good, static_cast<std::size_t>(windows) + 1);
     const auto windows_of = [](const PhasorRun& run) { return run.time_s.size(); };
     if (std::ranges::equal(runs, finer, {}, windows_of, windows_of)) {
-        return std::move(coarse.set);
+        return coarse;
     }
     // A line may be a disturbance far from the carrier, which longer windows suppress.
-    const bool by_motion = !are_enough(coarse.needed.by_motion);
-    Solution fine = solve(finer);
-    return by_motion || fine.set->explains_as_much_as(*coarse.set) ? std::move(fine.set)
-                                                                   : std::move(coarse.set);
+    const bool by_motion = !are_enough(needed.by_motion);
+    std::unique_ptr<SetFit> fine = solve(finer);
+    return by_motion || fine->explains_as_much_as(*coarse) ? std::move(fine) : std::move(coarse);
 }
 
 }  // namespace vybeg

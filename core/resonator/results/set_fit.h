@@ -49,8 +49,11 @@ public:
     // The present parameters of a set with one break more, whose parameters are zero.
     TrialStart with_room_for(const FittedBreak& found) const;
 
-    // Finds the most likely parameters; returns the number of windows of a run that they need.
-    NeededWindows solve();
+    // Finds the most likely parameters.
+    void solve();
+
+    // The number of windows of a run that they need.
+    NeededWindows needed() const { return needed_windows(motion(), set_.fine); }
 
     const SetExamination& examination() const { return examination_; }
 
