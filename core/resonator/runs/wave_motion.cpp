@@ -439,13 +439,9 @@ PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, doub
 
 }  // namespace
 
-WaveMotion wave_motion(const PhasorRun& run, const JobControl& job) {
-    return motion_with(run, true, job);
-}
-
 WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                        const JobControl& job) {
-    WaveMotion found = wave_motion(run, job);
+    WaveMotion found = motion_with(run, true, job);
     std::array<double, numbers.size()> variance{};
     for (const ChannelError& error : channel_errors) {
         const double size = tolerance.*error.tolerance;

@@ -29,14 +29,11 @@ struct WaveMotion {
     Estimate decay_per_s;            // 1 / tau, 1/s: given also without a significant decay
 };
 
-// Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and quadrature;
-// the angle also where the wave passes so near the circular state that the sense of its turn is
-// unknown), those of decay_time(). Precondition: the vectors of a run have one length.
-WaveMotion wave_motion(const PhasorRun& run, const JobControl& job = {});
-
-// wave_motion() with `u` for each number: sd combined with the change by one deviation of each
-// channel error, errors independent. Preconditions: as there.
-WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
+// `u` of each number: sd combined with the change by one deviation of each channel error, errors
+// independent. Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and
+// quadrature; the angle also where the wave passes so near the circular state that the sense of its
+// turn is unknown), those of decay_time(). Precondition: the vectors of a run have one length.
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance = {.kappa = 0},
                        const JobControl& job = {});
 
 }  // namespace vybeg
