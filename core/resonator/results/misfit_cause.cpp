@@ -34,15 +34,18 @@ constexpr double least_cycles = 3;  // least distance of a line from the wave, c
 constexpr double lines_per_cycle = 3;
 constexpr double most_lines = 1e5;
 
+double wave_hz_of(const SolvedSet& set, const Posterior& at) {
+    return set.fine[0].f_ref_hz + at.p[set.problem->layout.at(0, frequency_at)];
+}
+
 // A line at `f_hz` that decays: both parts of its phasor in each channel and run.
-Effect line_effect(const FitProblem& problem, std::span<const double> f_ref_hz, double f_hz,
-                   double decay_per_s) {
+Effect line_effect(const SolvedSet& set, double f_hz, double decay_per_s) {
     return effect_by_window(
-        problem, 4 * static_cast<Index>(problem.runs.size()),
+        *set.problem, 4 * static_cast<Index>(set.fine.size()),
         [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
             const double t = run.time_s[window];
             const Complex turn =
-                std::polar(std::exp(-decay_per_s * t), 2 * pi * (f_hz - f_ref_hz[k]) * t);
+                std::polar(std::exp(-decay_per_s * t), 2 * pi * (f_hz - set.fine[k].f_ref_hz) * t);
             const auto first = 4 * static_cast<Index>(k);
             put_effect(by, run, window, first, {turn, 0});
             put_effect(by, run, window, first + 1, {i * turn, 0});
@@ -60,12 +63,11 @@ struct DampedResidual {
     double norm = 0;
 };
 
-std::vector<DampedResidual> damped_residuals(const FitProblem& problem, const Posterior& at,
-                                             std::span<const double> f_ref_hz) {
+std::vector<DampedResidual> damped_residuals(const SolvedSet& set, const Posterior& at) {
     std::vector<DampedResidual> all;
-    for (std::size_t k = 0; k < problem.runs.size(); ++k) {
-        const ScaledRun& run = problem.runs[k];
-        DampedResidual damped{f_ref_hz[k], run.step_s, run.time_s, {}, 0};
+    for (std::size_t k = 0; k < set.fine.size(); ++k) {
+        const ScaledRun& run = set.problem->runs[k];
+        DampedResidual damped{set.fine[k].f_ref_hz, run.step_s, run.time_s, {}, 0};
         for (std::size_t window = 0; window < run.size(); ++window) {
             const double size =
                 run.weight[window] * std::exp(-std::abs(at.p[decay_at]) * run.time_s[window]);
@@ -169,7 +171,7 @@ double unaliased(const SolvedSet& set, const Posterior& at, double f_hz, double 
         }
         residuals.push_back(std::move(damped));
     }
-    const double wave_hz = fine[0].f_ref_hz + at.p[problem.layout.at(0, frequency_at)];
+    const double wave_hz = wave_hz_of(set, at);
     const auto reach = static_cast<int>(band_hz / spacing_hz) + 1;
     double best_hz = f_hz;
     double most = 0;
@@ -194,15 +196,14 @@ struct Line {
 };
 
 // The strongest line within the windows' band, away from the wave.
-Line strongest_line(const SolvedSet& set, const Posterior& at, std::span<const double> f_ref_hz,
-                    const JobControl& job) {
+Line strongest_line(const SolvedSet& set, const Posterior& at, const JobControl& job) {
     const FitProblem& problem = *set.problem;
     const double longest = longest_s(problem);
     const double step_s = std::ranges::min(problem.runs, {}, &ScaledRun::step_s).step_s;
-    const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
+    const double wave_hz = wave_hz_of(set, at);
     const double step_hz = 1 / (lines_per_cycle * longest);
     const double band_hz = 0.5 / step_s;
-    const std::vector<DampedResidual> residuals = damped_residuals(problem, at, f_ref_hz);
+    const std::vector<DampedResidual> residuals = damped_residuals(set, at);
     const std::vector<LineSpectrum> spectra(residuals.begin(), residuals.end());
     const auto steps =
         static_cast<int>(std::min((band_hz - least_cycles / longest) / step_hz, most_lines));
@@ -237,8 +238,7 @@ Line strongest_line(const SolvedSet& set, const Posterior& at, std::span<const d
     if (most == 0) {
         return best;
     }
-    const Score line =
-        score(problem, at, line_effect(problem, f_ref_hz, best.f_hz, std::abs(at.p[decay_at])));
+    const Score line = score(problem, at, line_effect(set, best.f_hz, std::abs(at.p[decay_at])));
     best.fall = line.fall;
     best.f_hz = unaliased(set, at, best.f_hz, 1 / step_s, job);
     const double turn = pi * (best.f_hz - wave_hz) * problem.runs[0].window_s;
@@ -249,19 +249,19 @@ Line strongest_line(const SolvedSet& set, const Posterior& at, std::span<const d
 
 // The line nearer to the wave that leaves only noise, decaying like the wave or steady: noise of a
 // finite width leaves more.
-Line nearest_line(const FitProblem& problem, const Posterior& at, std::span<const double> f_ref_hz,
-                  const JobControl& job) {
+Line nearest_line(const SolvedSet& set, const Posterior& at, const JobControl& job) {
     constexpr double nearest = 0.4;  // cycles over a run
     constexpr double step = 1.0 / 6;
+    const FitProblem& problem = *set.problem;
     const double longest = longest_s(problem);
-    const double wave_hz = f_ref_hz[0] + at.p[problem.layout.at(0, frequency_at)];
+    const double wave_hz = wave_hz_of(set, at);
     double needed = at.chi2() - noise_limit(degrees_of_freedom(problem));
     Line best;
     for (double cycles = nearest; cycles < least_cycles + 1 && !job.cancelled(); cycles += step) {
         for (const double off_hz : {cycles / longest, -cycles / longest}) {
             for (const double decay_per_s : {std::abs(at.p[decay_at]), 0.0}) {
-                const Score line = score(
-                    problem, at, line_effect(problem, f_ref_hz, wave_hz + off_hz, decay_per_s));
+                const Score line =
+                    score(problem, at, line_effect(set, wave_hz + off_hz, decay_per_s));
                 if (line.fall > needed) {
                     needed = line.fall;
                     best = {wave_hz + off_hz, line.fall,
@@ -299,10 +299,6 @@ MessageArg friction_words(double exponent) {
 std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,
                                         Causes causes, const JobControl& job) {
     const FitProblem& problem = *set.problem;
-    std::vector<double> f_ref_hz;
-    for (const PhasorRun& run : set.fine) {
-        f_ref_hz.push_back(run.f_ref_hz);
-    }
     const double beyond = posterior.chi2() - degrees_of_freedom(problem);
     double best = std::max(most_of_it * beyond, least_fall);
     std::optional<MisfitCause> cause;
@@ -319,7 +315,7 @@ std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& p
         if (structured && held) {
             const Score found = parameter_score(problem, posterior, error.parameter);
             consider(found.fall, DiagnosticKind::misfit_channel,
-                     named_error(error, found.size[0], f_ref_hz[0]));
+                     named_error(error, found.size[0], set.fine[0].f_ref_hz));
         }
     }
     if (structured) {
@@ -361,11 +357,11 @@ std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& p
     if (cause || no_lines || job.cancelled()) {
         return cause;
     }
-    const Line line = strongest_line(set, posterior, f_ref_hz, job);
+    const Line line = strongest_line(set, posterior, job);
     best = std::max(most_by_line * beyond, least_fall);
     consider(line.fall, DiagnosticKind::misfit_neighbour, line_args(line, 6, false));
     if (!cause) {
-        const Line near = nearest_line(problem, posterior, f_ref_hz, job);
+        const Line near = nearest_line(set, posterior, job);
         consider(near.fall, DiagnosticKind::misfit_neighbour, line_args(near, 8, true));
     }
     return cause;
