@@ -353,7 +353,37 @@ MapFit SetFit::fit_freely(FitProblem& free) const {
         start[error.parameter] = free.priors.mean[error.parameter];
     }
     start[cubic_at] = 0;
-    return fit_near_or_from_nothing(free, start);
+    MapFit near = minimise(free, start, 60, task_.job);
+    const double dof = degrees_of_freedom(free);
+    if (phase_left_ || near.chi2 < noise_limit(dof)) {
+        return near;
+    }
+    // No other start is better than the sum of two modes, and where that is far from the noise, no
+    // motion of channels explains the runs.
+    constexpr double close = 1.02;
+    if (runs_.size() == 1) {
+        const std::optional<ModeSum> modes = modes_of(0, near.p);
+        if (modes && !(near.chi2 < close * modes->chi2)) {
+            Eigen::Matrix2cd shapes;
+            shapes << modes->shapes[0], modes->shapes[1];
+            if (const auto rates = rates_of_modes({modes->rates[0], modes->rates[1]}, shapes)) {
+                MapFit fit = minimise(free, parameters_under(free, *rates), 60, task_.job);
+                near = fit.cost < near.cost ? std::move(fit) : std::move(near);
+            }
+        }
+        if (modes && near.chi2 < close * modes->chi2) {
+            return near;
+        }
+    }
+    if (no_motion_) {
+        return near;
+    }
+    // Channels with nearly one mixture hide the second mode in a chi^2 of two.
+    FitProblem anew = free;
+    anew.noise_ratio = noise_bound(dof);
+    anew.damping_share = std::numeric_limits<double>::infinity();
+    MapFit fit = fit_from_nothing(anew, task_.job);
+    return fit.cost < near.cost ? fit : near;
 }
 
 void SetFit::choose_model() {
@@ -404,40 +434,6 @@ bool SetFit::is_no_motion(const Eigen::VectorXd& p) const {
         }
     }
     return false;
-}
-
-MapFit SetFit::fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const {
-    MapFit near = minimise(problem, start, 60, task_.job);
-    const double dof = degrees_of_freedom(problem);
-    if (phase_left_ || near.chi2 < noise_limit(dof)) {
-        return near;
-    }
-    // No other start is better than the sum of two modes, and where that is far from the noise, no
-    // motion of channels explains the runs.
-    constexpr double close = 1.02;
-    if (runs_.size() == 1) {
-        const std::optional<ModeSum> modes = modes_of(0, near.p);
-        if (modes && !(near.chi2 < close * modes->chi2)) {
-            Eigen::Matrix2cd shapes;
-            shapes << modes->shapes[0], modes->shapes[1];
-            if (const auto rates = rates_of_modes({modes->rates[0], modes->rates[1]}, shapes)) {
-                MapFit fit = minimise(problem, parameters_under(problem, *rates), 60, task_.job);
-                near = fit.cost < near.cost ? std::move(fit) : std::move(near);
-            }
-        }
-        if (modes && near.chi2 < close * modes->chi2) {
-            return near;
-        }
-    }
-    if (no_motion_) {
-        return near;
-    }
-    // Channels with nearly one mixture hide the second mode in a chi^2 of two.
-    FitProblem anew = problem;
-    anew.noise_ratio = noise_bound(dof);
-    anew.damping_share = std::numeric_limits<double>::infinity();
-    MapFit fit = fit_from_nothing(anew, task_.job);
-    return fit.cost < near.cost ? fit : near;
 }
 
 bool SetFit::explained_without_cubic(const MapFit& plain, const Priors& plain_priors) {

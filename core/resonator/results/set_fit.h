@@ -130,7 +130,8 @@ private:
     // calibrated pair: then nothing of the structured model says that they do not belong together.
     bool is_of_free_runs() const;
 
-    // Gives the problem the priors of the free model, and fits it.
+    // Gives the problem the priors of the free model, and fits it near the present parameters, or
+    // from nothing. That model has no cubic term, because |z|^2 of channels of unknown scale beats.
     MapFit fit_freely(FitProblem& free) const;
 
     void choose_model();
@@ -141,9 +142,6 @@ private:
 
     // Whether two modes of its own leave a run far above its noise.
     bool is_no_motion(const Eigen::VectorXd& p) const;
-
-    // The free model has no cubic term, because |z|^2 of channels of unknown scale beats.
-    MapFit fit_near_or_from_nothing(FitProblem& problem, const Eigen::VectorXd& start) const;
 
     std::vector<PhasorRun> runs_;
     FitTask task_;
