@@ -237,7 +237,7 @@ std::vector<double> trend_of(const RateSeries& series) {
 std::vector<Estimate> mean_slopes(std::span<const RateSeries> series) {
     std::vector<Estimate> rates;
     for (const RateSeries& one : series) {
-        rates.push_back({.value = slope_coefficients(one).dot(view(one.value))});
+        rates.emplace_back().value = slope_coefficients(one).dot(view(one.value));
     }
     return rates;
 }
