@@ -29,6 +29,10 @@ double innovation(double width_hz, double rate_hz) {
     return std::sqrt(-std::expm1(-4 * pi * width_hz / rate_hz));
 }
 
+OrnsteinUhlenbeck about_carrier(const FreeDecay& decay, std::uint64_t stream) {
+    return {decay.carrier_noise_width_hz, decay.rate_hz, stream_seed(decay.seed, stream)};
+}
+
 // Samples between two draws of the phase: about a period of the carrier.
 int phase_stride(const FreeDecay& decay) {
     return static_cast<int>(std::clamp(decay.rate_hz / decay.f0_hz, 1.0, 1e6));
@@ -98,14 +102,8 @@ CarrierNoise::CarrierNoise(const FreeDecay& decay)
       added_sd_(decay.carrier_noise * std::abs(decay.a_A)),
       modulation_sd_(decay.modulation_noise),
       phase_sd_(decay.phase_noise_rad),
-      added_{OrnsteinUhlenbeck(decay.carrier_noise_width_hz, decay.rate_hz,
-                               stream_seed(decay.seed, 1)),
-             OrnsteinUhlenbeck(decay.carrier_noise_width_hz, decay.rate_hz,
-                               stream_seed(decay.seed, 2))},
-      modulation_{OrnsteinUhlenbeck(decay.carrier_noise_width_hz, decay.rate_hz,
-                                    stream_seed(decay.seed, 3)),
-                  OrnsteinUhlenbeck(decay.carrier_noise_width_hz, decay.rate_hz,
-                                    stream_seed(decay.seed, 4))},
+      added_{about_carrier(decay, 1), about_carrier(decay, 2)},
+      modulation_{about_carrier(decay, 3), about_carrier(decay, 4)},
       phase_(0.01 / decay.seconds, decay.rate_hz, phase_stride(decay), stream_seed(decay.seed, 5)) {
 }
 

@@ -286,14 +286,9 @@ private:
         }
     }
 
-    // Largest statistical deviations of the travelling waves u+- = c +- i d of a run's start,
+    // Largest statistical deviations of the travelling waves u+ and u-, c +- i d, of a run's start,
     // without the phase common to both, which depends on undetermined frequencies.
-    struct TravellingSd {
-        double plus = 0;
-        double minus = 0;
-    };
-
-    TravellingSd travelling_sd(std::size_t run) const {
+    std::pair<double, double> travelling_sd(std::size_t run) const {
         const Index start = set_.problem->layout.at(run, start_at);
         const Eigen::Vector4d wave = p_.p.segment<4>(start);
         const Eigen::Vector4d turned =
@@ -320,12 +315,12 @@ private:
             run.a_A = derived(at(a_A_of), rests, set_.scale);
             run.a_B = derived(at(a_B_of), rests, set_.scale);
             run.drift_hz_per_s = derived(at(run_drift_of), {ReasonCode::drift_not_seen, {}});
-            const TravellingSd sd = travelling_sd(k);
+            const auto [sd_plus, sd_minus] = travelling_sd(k);
             const double smaller = at_.value[at(a_A_of)] - std::abs(at_.value[at(a_B_of)]);
-            if (smaller < circular_below * std::min(sd.plus, sd.minus)) {
+            if (smaller < circular_below * std::min(sd_plus, sd_minus)) {
                 const Estimate circular{.reason = {ReasonCode::circular_wave, {}}};
                 // Both amplitudes have a cusp where a travelling wave vanishes.
-                run.a_A.sd = run.a_B.sd = set_.scale * std::hypot(sd.plus, sd.minus) / 2;
+                run.a_A.sd = run.a_B.sd = set_.scale * std::hypot(sd_plus, sd_minus) / 2;
                 for (const auto& [number, quantity] :
                      {std::pair(&run.a_A, a_A_of), {&run.a_B, a_B_of}}) {
                     number->u =

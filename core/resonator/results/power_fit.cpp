@@ -158,14 +158,14 @@ Eigen::VectorXd linear_start(const FitProblem& problem, const Eigen::VectorXd& l
 
 void refuse_frequencies(ResonatorFit& fit) {
     const Estimate none{.reason = {ReasonCode::phase_lost, {}}};
-    for (Estimate ResonatorEstimate::*member :
-         {&ResonatorEstimate::f_mean_hz, &ResonatorEstimate::q, &ResonatorEstimate::delay_s,
-          &ResonatorEstimate::frequency_per_power}) {
-        fit.resonator.*member = none;
-        for (std::size_t k = 0; k < resonator_parameters.size(); ++k) {
-            if (resonator_parameters[k].member == member) {
-                fit.sensitivities[k] = fit.shares[k] = {};
-            }
+    constexpr std::array of_phase{&ResonatorEstimate::f_mean_hz, &ResonatorEstimate::q,
+                                  &ResonatorEstimate::delay_s,
+                                  &ResonatorEstimate::frequency_per_power};
+    for (std::size_t k = 0; k < resonator_parameters.size(); ++k) {
+        const auto member = resonator_parameters[k].member;
+        if (std::ranges::find(of_phase, member) != of_phase.end()) {
+            fit.resonator.*member = none;
+            fit.sensitivities[k] = fit.shares[k] = {};
         }
     }
     for (ModeEstimate& mode : fit.modes) {

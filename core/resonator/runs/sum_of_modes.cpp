@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace vybeg {
@@ -144,10 +145,8 @@ struct Solution {
         const auto sd = [&](Index k) {
             return std::sqrt(std::max(covariance(k, k).real(), 0.0) * scale);
         };
-        std::vector<Index> order;
-        for (Index mode = 0; mode < modes; ++mode) {
-            order.push_back(mode);
-        }
+        std::vector<Index> order(rates.size());
+        std::iota(order.begin(), order.end(), Index{0});
         std::ranges::sort(order, std::ranges::greater{},
                           [&](Index mode) { return rates[static_cast<std::size_t>(mode)].imag(); });
         for (const Index mode : order) {
