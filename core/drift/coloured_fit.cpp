@@ -197,10 +197,10 @@ Trial trial_of(const std::vector<FitSegment>& segments, SeriesKind kind, const S
     const Eigen::VectorXd moment = scale.asDiagonal() * sum.normal.col(terms).head(terms);
     Trial trial;
     const Eigen::VectorXd solution = ldlt.solve(moment);
-    trial.fit.freedom = sum.freedom - static_cast<double>(terms);
+    const double freedom = sum.freedom - static_cast<double>(terms);
     const double square = sum.normal(terms, terms) - moment.dot(solution);
     constexpr double least = 1e-40;  // of values without any noise
-    const double unit = std::max(square / trial.fit.freedom, least);
+    const double unit = std::max(square / freedom, least);
     // A difference that the digits of its terms do not hold is no residual.
     constexpr double digits = 1e-11;
     const bool lost = square < digits * sum.normal(terms, terms);
@@ -208,7 +208,7 @@ Trial trial_of(const std::vector<FitSegment>& segments, SeriesKind kind, const S
         return trial;
     }
     const double log_terms = ldlt.vectorD().array().log().sum() - 2 * scale.array().log().sum();
-    trial.likelihood = -0.5 * (trial.fit.freedom * std::log(unit) + sum.log_det + log_terms);
+    trial.likelihood = -0.5 * (freedom * std::log(unit) + sum.log_det + log_terms);
     trial.fit.coefficients = scale.asDiagonal() * solution;
     const Eigen::MatrixXd inverse = ldlt.solve(Eigen::MatrixXd::Identity(terms, terms));
     trial.fit.covariance = unit * (scale.asDiagonal() * inverse * scale.asDiagonal());

@@ -36,7 +36,6 @@ struct ColouredFit {
     Eigen::VectorXd coefficients;  // of the regressors; empty where the rows do not tell them
     Eigen::MatrixXd covariance;
     SeriesNoise noise;
-    double freedom = 0;  // rows less fitted numbers
 };
 
 // What the series is.

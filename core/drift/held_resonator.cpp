@@ -72,14 +72,14 @@ void take(const Pair& pair, const char* unit, Estimate& size, Estimate& axis) {
 }
 
 // Whether the mean of an amplitude effort, by which all is divided, has this sign beyond its noise.
-bool drives(const EffortHarmonics& amplitude, int sign) {
+bool drives(const ColouredFit& amplitude, int sign) {
     constexpr double least = 5;
     return sign * amplitude.coefficients[0] > least * std::sqrt(amplitude.covariance(0, 0));
 }
 
 // The fourth harmonic of an effort over the mean of the amplitude effort. Of two efforts of one log
 // the noise is taken as independent.
-Pair relative(const EffortHarmonics& effort, const EffortHarmonics& amplitude) {
+Pair relative(const ColouredFit& effort, const ColouredFit& amplitude) {
     const double mean = amplitude.coefficients[0];
     const Eigen::Vector2d harmonic = effort.coefficients.segment<2>(fourth);
     const Eigen::Vector2d value = harmonic / mean;
@@ -96,7 +96,7 @@ struct EffortPair {
 
 // The weighted mean of all logs that have the efforts.
 EffortPair of_logs(std::span<const LogDrift* const> logs,
-                   std::optional<EffortHarmonics> LogDrift::*effort) {
+                   std::optional<ColouredFit> LogDrift::*effort) {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     double square = 0;

@@ -157,7 +157,7 @@ public:
         return found;
     }
 
-    std::optional<EffortHarmonics> effort(const std::vector<double>& values) const {
+    std::optional<ColouredFit> effort(const std::vector<double>& values) const {
         std::vector<FitSegment> segments;
         std::size_t rows = 0;
         for (const Path& path : paths_) {
@@ -184,10 +184,8 @@ public:
         if (rows < least_rows) {
             return std::nullopt;
         }
-        const ColouredFit fit = coloured_fit(segments, SeriesKind::value, job_);
-        return fit.coefficients.size() > 0
-                   ? std::optional(EffortHarmonics{fit.coefficients, fit.covariance})
-                   : std::nullopt;
+        ColouredFit fit = coloured_fit(segments, SeriesKind::value, job_);
+        return fit.coefficients.size() > 0 ? std::optional(std::move(fit)) : std::nullopt;
     }
 
     // Passes through each range of angles: turn less that of the mean rate, over the time.
@@ -283,7 +281,7 @@ private:
 
 }  // namespace
 
-Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job) {
+Result<LogDrift> log_drift(const WholeAngleLog& log, const JobControl& job) {
     const UnwrappedAngle angle = unwrapped_angle(log);
     LogFit fit(angle, job);
     if (fit.rows() < least_rows) {
@@ -307,22 +305,19 @@ Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job) {
     if (found.coefficients.size() == 0) {
         return Error{ErrorCode::no_valid_samples, log.name, {}};
     }
-    BinnedLog binned;
-    binned.period = angle.period;
-    binned.jumps = angle.jumps;
-    binned.bins = fit.bins(found);
-    binned.drift = {log.name,
-                    log.time_s.back() - log.time_s.front(),
-                    angle.turn,
-                    fit.rows(),
-                    log.time_s.size() - fit.rows(),
-                    found.coefficients,
-                    found.covariance,
-                    found.noise,
-                    fit.effort(log.amplitude_effort),
-                    fit.effort(log.quadrature_effort)};
+    LogDrift drift{found,
+                   log.name,
+                   log.time_s.back() - log.time_s.front(),
+                   angle.turn,
+                   angle.period,
+                   angle.jumps,
+                   fit.rows(),
+                   log.time_s.size() - fit.rows(),
+                   fit.effort(log.amplitude_effort),
+                   fit.effort(log.quadrature_effort),
+                   fit.bins(found)};
     TRY(job.go_on());
-    return binned;
+    return drift;
 }
 
 }  // namespace vybeg

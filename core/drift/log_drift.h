@@ -30,27 +30,7 @@ inline constexpr std::array<const char*, log_terms> log_term_names{"mean", "cos2
 // From this normal deviate on two numbers are not the same.
 inline constexpr double log_differs = 3.2;
 
-// An effort of the controller against the angle: mean, c2, s2, c4, s4 in its unit.
-struct EffortHarmonics {
-    Eigen::VectorXd coefficients;
-    Eigen::MatrixXd covariance;
-};
-
-// One log by itself.
-struct LogDrift {
-    std::string name;
-    double seconds = 0;
-    double turn = 0;               // rad
-    std::size_t rows = 0;          // with an angle
-    std::size_t missing = 0;       // rows without
-    Eigen::VectorXd coefficients;  // m, c2, s2, c4, s4, rad/s
-    Eigen::MatrixXd covariance;
-    SeriesNoise noise;  // of the angle, rad
-    std::optional<EffortHarmonics> amplitude;
-    std::optional<EffortHarmonics> quadrature;
-};
-
-// Mean rate less the turn of its log in a range of angles, over all logs.
+// Mean rate less the turn of its log in a range of angles, of a log or over all.
 struct LogBin {
     double theta = 0;  // centre, in [0, pi), rad
     double rate = 0;   // rad/s; NaN where no wave was
@@ -58,14 +38,22 @@ struct LogBin {
     double seconds = 0;
 };
 
-// The harmonics of one log, with its bins. Errors: turn_too_short, turn_too_fast, angle_unit_wrong,
-// too_few_frames, no_valid_samples.
-struct BinnedLog {
-    LogDrift drift;
-    std::vector<LogBin> bins;
+// One log by itself: the fit of its angle, with the coefficients m, c2, s2, c4, s4 in rad/s.
+struct LogDrift : ColouredFit {
+    std::string name;
+    double seconds = 0;
+    double turn = 0;                       // rad
     double period = 0;                     // of its angle, as UnwrappedAngle::period
     std::optional<Diagnostic> jumps = {};  // likewise
+    std::size_t rows = 0;                  // with an angle
+    std::size_t missing = 0;               // rows without
+    // The efforts of the controller against the angle: mean, c2, s2, c4, s4 in their unit.
+    std::optional<ColouredFit> amplitude;
+    std::optional<ColouredFit> quadrature;
+    std::vector<LogBin> bins;
 };
-Result<BinnedLog> log_drift(const WholeAngleLog& log, const JobControl& job);
+
+// Errors: turn_too_short, turn_too_fast, angle_unit_wrong, too_few_frames, no_valid_samples.
+Result<LogDrift> log_drift(const WholeAngleLog& log, const JobControl& job);
 
 }  // namespace vybeg

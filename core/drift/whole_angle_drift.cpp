@@ -330,38 +330,37 @@ Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& 
     return Eigen::Vector2d::Zero();
 }
 
-// The rates of a log without what the errors of the channels make of its turn and of the drift.
-std::vector<LogBin> without(const Eigen::Vector2d& errors, const LogDrift& log,
-                            const WholeAngleDrift& found, std::vector<LogBin> bins) {
+// Takes out of the rates of a log what the errors of the channels make of its turn and of the
+// drift.
+void take_out(const Eigen::Vector2d& errors, const WholeAngleDrift& found, LogDrift& log) {
     Eigen::VectorXd drift = Eigen::VectorXd::Zero(log_terms);
     drift[0] = log.coefficients[0];
     for (Eigen::Index term = 1; term < log_terms; ++term) {
         const Estimate& each = found.harmonics[static_cast<std::size_t>(term)];
         drift[term] = each.given() ? each.value : 0;
     }
-    const double half = std::numbers::pi / (2 * static_cast<double>(bins.size()));
+    const double half = std::numbers::pi / (2 * static_cast<double>(log.bins.size()));
     for (const Eigen::Index error : {0, 1}) {
         const auto seen = [&](double theta) { return seen_at(theta, drift, error); };
         const double of_turn = seen_of(drift, error)[0];  // which is taken out
-        for (LogBin& bin : bins) {
+        for (LogBin& bin : log.bins) {
             // The mean over the bin, by Simpson's rule.
             const double mean =
                 (seen(bin.theta - half) + 4 * seen(bin.theta) + seen(bin.theta + half)) / 6;
             bin.rate -= errors[error] * (mean - of_turn);
         }
     }
-    return bins;
 }
 
 // The weighted mean of the bins of the logs that are used.
-void add_bins(const std::vector<std::vector<LogBin>>& of_logs, WholeAngleDrift& found) {
-    found.bins = of_logs.front();
+void add_bins(WholeAngleDrift& found) {
+    found.bins = found.logs.front().bins;
     for (std::size_t bin = 0; bin < found.bins.size(); ++bin) {
         double weight = 0;
         double moment = 0;
         found.bins[bin].seconds = 0;
-        for (std::size_t k = 0; k < of_logs.size(); ++k) {
-            const LogBin& one = of_logs[k][bin];
+        for (std::size_t k = 0; k < found.logs.size(); ++k) {
+            const LogBin& one = found.logs[k].bins[bin];
             if (found.left_out != k && one.sd > 0) {
                 weight += 1 / (one.sd * one.sd);
                 moment += one.rate / (one.sd * one.sd);
@@ -400,7 +399,6 @@ ChannelTolerance usual_pick_offs() {
 Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
                                           const JobControl& job, const ChannelTolerance& channels) {
     WholeAngleDrift found;
-    std::vector<std::vector<LogBin>> bins;
     for (std::size_t k = 0; k < logs.size(); ++k) {
         for (std::size_t other = 0; other < k && !logs[k].sha256.empty(); ++other) {
             if (logs[other].sha256 == logs[k].sha256) {
@@ -409,25 +407,24 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
         }
     }
     for (const WholeAngleLog& log : logs) {
-        auto binned = TRY(log_drift(log, job));
+        auto drift = TRY(log_drift(log, job));
         constexpr double quarter = std::numbers::pi / 2;
-        if (binned.period == quarter) {
+        if (drift.period == quarter) {
             found.warnings.push_back({DiagnosticKind::angle_of_quarter, {log.name}});
         }
-        if (binned.jumps) {
-            binned.jumps->args.insert(binned.jumps->args.begin(), log.name);
-            found.warnings.push_back(std::move(*binned.jumps));
+        if (drift.jumps) {
+            found.warnings.push_back(*drift.jumps);
+            found.warnings.back().args.insert(found.warnings.back().args.begin(), log.name);
         }
-        found.logs.push_back(std::move(binned.drift));
-        bins.push_back(std::move(binned.bins));
+        found.logs.push_back(std::move(drift));
         job.report(static_cast<double>(found.logs.size()) / static_cast<double>(logs.size()));
     }
     examine_logs(channels, found);
     const Eigen::Vector2d errors = put_together(channels, found);
-    for (std::size_t k = 0; k < bins.size(); ++k) {
-        bins[k] = without(errors, found.logs[k], found, std::move(bins[k]));
+    for (LogDrift& log : found.logs) {
+        take_out(errors, found, log);
     }
-    add_bins(bins, found);
+    add_bins(found);
     return found;
 }
 
