@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -51,10 +53,23 @@ Result<std::unique_ptr<HelperFile>> open_file(std::string_view kind) {
     return file ? open_audio_file(std::move(*file)) : file.error();
 }
 
+// The whole of a request; false where the program hangs up.
+bool receive(SampleRequest& request) {
+    const std::span bytes(reinterpret_cast<char*>(&request), sizeof request);
+    for (std::size_t done = 0; done < bytes.size();) {
+        const ssize_t got = ::recv(reader_socket, &bytes[done], bytes.size() - done, 0);
+        if (got == 0 || (got < 0 && errno != EINTR)) {
+            return false;
+        }
+        done += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+    }
+    return true;
+}
+
 void serve(HelperFile& file) {
     SampleRequest request;
     std::vector<double> samples;
-    while (receive_value(reader_socket, request) && fits(request, file.catalogue())) {
+    while (receive(request) && fits(request, file.catalogue())) {
         allow_processor(seconds_allowed(request));
         samples.resize(static_cast<std::size_t>(request.count));
         const Status status = file.read(request, samples);

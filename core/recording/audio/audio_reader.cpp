@@ -475,7 +475,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
     const auto library = TRY(open_library(file, "audio", container, /*seeks=*/true));
-    const Catalogue& catalogue = library.catalogue;
+    const Catalogue& catalogue = library->catalogue();
     if (catalogue.variables.size() != 1) {
         return file->damaged(container, VYBEG_MESSAGE("Words", "its library returned nonsense"));
     }
@@ -488,7 +488,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     }
     // Checked before frames are counted.
     TRY(choose_rate(*file, own, options));
-    const auto frames = TRY(count_frames(*library.reader, samples.frames, job));
+    const auto frames = TRY(count_frames(*library, samples.frames, job));
     FoundSamples found;
     found.format = {FormatPart::name(catalogue.format), FormatPart::words(samples.type),
                     FormatPart::channels(channels)};
@@ -502,7 +502,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
     auto source =
-        TRY(library.reader->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
+        TRY(library->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
     found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }

@@ -23,7 +23,10 @@ Result<SampleColumn> column_of(const StoredArray& stored, std::int64_t channel) 
 
 class ArrayVariables final : public VariableReader {
 public:
-    explicit ArrayVariables(std::vector<StoredArray> arrays) : arrays_(std::move(arrays)) {}
+    ArrayVariables(Catalogue catalogue, std::vector<StoredArray> arrays)
+        : catalogue_(std::move(catalogue)), arrays_(std::move(arrays)) {}
+
+    const Catalogue& catalogue() const override { return catalogue_; }
 
     Status read(const ChannelPlace& place, std::int64_t first,
                 std::span<double> out) const override {
@@ -56,6 +59,7 @@ private:
         return arrays_[static_cast<std::size_t>(place.variable)];
     }
 
+    Catalogue catalogue_;
     std::vector<StoredArray> arrays_;  // as in the catalogue
     // One per channel that was read, to be read on: no more than the times, C and D.
     Guarded<std::map<std::pair<std::int64_t, std::int64_t>, SampleColumn>> opened_;
@@ -86,7 +90,8 @@ Result<Recording> open_arrays(const FileBytes& file, const std::string& format,
         catalogue.variables.push_back(stored.variable);
         catalogue.variables.back().value = value;
     }
-    return open_variables(file, catalogue, ArrayVariables(std::move(arrays)), options, job);
+    return open_variables(file, ArrayVariables(std::move(catalogue), std::move(arrays)), options,
+                          job);
 }
 
 namespace {

@@ -315,7 +315,10 @@ public:
           kind_(std::move(kind)),
           format_(std::move(format)),
           seeks_(seeks),
+          catalogue_(process->catalogue()),
           process_(std::move(process)) {}
+
+    const Catalogue& catalogue() const override { return catalogue_; }
 
     Status read(const ChannelPlace& place, std::int64_t first,
                 std::span<double> out) const override {
@@ -364,18 +367,18 @@ private:
     std::string kind_;
     std::string format_;
     bool seeks_;
+    Catalogue catalogue_;
     Guarded<std::unique_ptr<ReaderProcess>> process_;
 };
 
 }  // namespace
 
-Result<LibraryVariables> open_library(const std::shared_ptr<const FileBytes>& file,
-                                      const std::string& kind, const std::string& format,
-                                      bool seeks) {
+Result<std::shared_ptr<const VariableReader>> open_library(
+    const std::shared_ptr<const FileBytes>& file, const std::string& kind,
+    const std::string& format, bool seeks) {
     auto process = TRY(ReaderProcess::start(file, kind, format));
-    const Catalogue catalogue = process->catalogue();
-    return LibraryVariables{catalogue, std::make_shared<HelperVariables>(file, kind, format, seeks,
-                                                                         std::move(process))};
+    return std::shared_ptr<const VariableReader>(
+        std::make_shared<HelperVariables>(file, kind, format, seeks, std::move(process)));
 }
 
 bool is_hdf5(std::string_view head, const FileBytes& file) {
@@ -398,7 +401,7 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
     const bool matlab = head == matlab_signature;
     const auto library = TRY(open_library(file, matlab ? "mat73" : "hdf5",
                                           matlab ? "MAT 7.3" : "HDF5", /*seeks=*/false));
-    return open_variables(*file, library.catalogue, *library.reader, options, job);
+    return open_variables(*file, *library, options, job);
 }
 
 }  // namespace vybeg

@@ -28,14 +28,6 @@ public:
         (take(fields), ...);
     }
 
-    // A list that ends with the message.
-    template <class T>
-    void last(std::vector<T>& list) {
-        for (std::size_t k = 0; reading_ ? ok_ && at_ < bytes_.size() : k < list.size(); ++k) {
-            take_element(list, k);
-        }
-    }
-
 private:
     static constexpr int deepest = 4;  // of words within words
 
@@ -83,12 +75,7 @@ private:
         ++depth_;
         take(arg.kind);
         ok_ = ok_ && arg.kind <= MessageArg::Kind::words && depth_ <= deepest;
-        (*this)(arg.text, arg.unit);
-        std::uint64_t count = arg.args.size();
-        take(count);
-        for (std::size_t k = 0; ok_ && k < count; ++k) {
-            take_element(arg.args, k);
-        }
+        (*this)(arg.text, arg.unit, arg.args);
         --depth_;
     }
 
@@ -97,12 +84,21 @@ private:
                 of.rate_hz);
     }
 
+    void take(Catalogue& of) { (*this)(of.format, of.start, of.not_closed, of.variables); }
+
+    // `where` is not sent.
+    void take(Error& of) { (*this)(of.code, of.args); }
+
     template <class T>
-    void take_element(std::vector<T>& list, std::size_t k) {
-        if (reading_) {
-            list.emplace_back();
+    void take(std::vector<T>& list) {
+        std::uint64_t count = list.size();
+        take(count);
+        for (std::size_t k = 0; ok_ && k < count; ++k) {
+            if (reading_) {
+                list.emplace_back();
+            }
+            take(list[k]);
         }
-        take(list[k]);
     }
 
     std::string bytes_;
@@ -141,16 +137,14 @@ int seconds_allowed(const SampleRequest& request) {
 
 std::string encode(Catalogue catalogue) {
     Message message;
-    message(catalogue.format, catalogue.start, catalogue.not_closed);
-    message.last(catalogue.variables);
+    message(catalogue);
     return message.bytes();
 }
 
 std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
     Message message(bytes);
     Catalogue catalogue;
-    message(catalogue.format, catalogue.start, catalogue.not_closed);
-    message.last(catalogue.variables);
+    message(catalogue);
     const bool possible = std::ranges::all_of(catalogue.variables, [](const FileVariable& each) {
         return each.frames >= 0 && each.channels >= 0;
     });
@@ -159,16 +153,14 @@ std::optional<Catalogue> decode_catalogue(std::string_view bytes) {
 
 std::string encode(Error error) {
     Message message;
-    message(error.code);
-    message.last(error.args);
+    message(error);
     return message.bytes();
 }
 
 std::optional<Error> decode_error(std::string_view bytes) {
     Message message(bytes);
     Error error;
-    message(error.code);
-    message.last(error.args);
+    message(error);
     for (const auto& [known, args] : {std::pair(ErrorCode::format_damaged, 2u),
                                       {ErrorCode::format_unsupported, 2u},
                                       {ErrorCode::format_limit, 3u}}) {
@@ -186,17 +178,6 @@ bool send_bytes(int socket, std::span<const char> bytes) {
             return false;
         }
         bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(sent, 0)));
-    }
-    return true;
-}
-
-bool receive_bytes(int socket, std::span<char> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t got = ::recv(socket, bytes.data(), bytes.size(), 0);
-        if (got == 0 || (got < 0 && errno != EINTR)) {
-            return false;
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
     }
     return true;
 }

@@ -87,19 +87,13 @@ std::optional<Catalogue> decode_catalogue(std::string_view bytes);
 std::string encode(Error error);
 std::optional<Error> decode_error(std::string_view bytes);
 
-// The whole of `bytes` to or from a socket; false at its end and on failure.
+// The whole of `bytes` to a socket; false at its end and on failure.
 bool send_bytes(int socket, std::span<const char> bytes);
-bool receive_bytes(int socket, std::span<char> bytes);
 
 // The same for one plain value.
 template <class Value>
 bool send_value(int socket, const Value& value) {
     return send_bytes(socket, {reinterpret_cast<const char*>(&value), sizeof value});
-}
-
-template <class Value>
-bool receive_value(int socket, Value& value) {
-    return receive_bytes(socket, {reinterpret_cast<char*>(&value), sizeof value});
 }
 
 // A file that a library reads, inside vybeg-reader only: a damaged file may crash the library, make

@@ -400,10 +400,10 @@ double step_of(std::span<const double> first_times_s, double mean_step_s,
 // A file of which only samples and rate are not found yet.
 class VariableOpening {
 public:
-    VariableOpening(const FileBytes& file, const Catalogue& catalogue, const VariableReader& reader,
+    VariableOpening(const FileBytes& file, const VariableReader& reader,
                     const VariableChoice& choice, const OpenOptions& options)
         : file_(file),
-          format_(catalogue.format),
+          format_(reader.catalogue().format),
           reader_(reader),
           choice_(choice),
           options_(options),
@@ -565,9 +565,9 @@ private:
 
 }  // namespace
 
-Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalogue,
-                                 const VariableReader& reader, const OpenOptions& options,
-                                 const JobControl& job) {
+Result<Recording> open_variables(const FileBytes& file, const VariableReader& reader,
+                                 const OpenOptions& options, const JobControl& job) {
+    const Catalogue& catalogue = reader.catalogue();
     auto choice = TRY(VariableChooser(file, catalogue, options).choose());
     const auto channels = static_cast<int>(choice.channels.size());
     TRY(check_channels(file, channels, options));
@@ -577,7 +577,7 @@ Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalog
     if (options.channel_c == 1 && options.channel_d == 2 && !choice.time && channels > 2 &&
         choice.channels[2].variable == choice.channels[0].variable) {
         choice.time = choice.channels[0].variable;
-        const VariableOpening opening(file, catalogue, reader, choice, options);
+        const VariableOpening opening(file, reader, choice, options);
         const auto steps = TRY(opening.scan_times(job));
         choice.time = steps.is_even() ? choice.time : std::nullopt;
         used.channel_c += choice.time ? 1 : 0;
@@ -592,7 +592,7 @@ Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalog
         FormatPart::name(catalogue.format),
         FormatPart::words(catalogue.variables[static_cast<std::size_t>(c.variable)].type),
         FormatPart::channels(channels)};
-    const VariableOpening opening(file, catalogue, reader, choice, used);
+    const VariableOpening opening(file, reader, choice, used);
     TRY(opening.take_samples(job, found));
     return complete_recording(file, std::move(found), used);
 }

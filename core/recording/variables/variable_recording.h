@@ -19,13 +19,15 @@ struct ChannelPlace {
     std::int64_t channel = 0;   // of that variable, from 0
 };
 
-// Samples of the variables that a file's catalogue lists, on demand. For several threads at once.
+// The variables of a file, with their samples on demand. For several threads at once.
 class VariableReader {
 public:
     VariableReader() = default;
     VariableReader(const VariableReader&) = delete;
     VariableReader& operator=(const VariableReader&) = delete;
     virtual ~VariableReader() = default;
+
+    virtual const Catalogue& catalogue() const = 0;
 
     // Fills `out` with the samples of a channel from the frame `first` on; infinite ones are NaN.
     virtual Status read(const ChannelPlace& place, std::int64_t first,
@@ -56,8 +58,7 @@ inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 // Errors: variables_ambiguous where arrays have one size; variable_missing, setting_invalid,
 // format_unsupported, too_few_channels, channel_out_of_range, too_few_frames, rate_unknown,
 // interrupted; those of the reader.
-Result<Recording> open_variables(const FileBytes& file, const Catalogue& catalogue,
-                                 const VariableReader& reader, const OpenOptions& options,
-                                 const JobControl& job);
+Result<Recording> open_variables(const FileBytes& file, const VariableReader& reader,
+                                 const OpenOptions& options, const JobControl& job);
 
 }  // namespace vybeg

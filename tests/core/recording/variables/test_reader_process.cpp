@@ -65,11 +65,8 @@ private slots:
         const Catalogue catalogue{
             "HDF5", "", {{"/C", 100, 2, "64 bit float", "", "V", {}, 1000.0}}};
         const std::string bytes = encode(catalogue);
-        const std::size_t before_variables =
-            2 * sizeof(std::uint64_t) + catalogue.format.size() + 1;
         for (std::size_t length = 0; length < bytes.size(); ++length) {
-            const auto decoded = decode_catalogue(std::string_view(bytes).substr(0, length));
-            QCOMPARE(decoded.has_value(), length == before_variables);
+            QVERIFY(!decode_catalogue(std::string_view(bytes).substr(0, length)));
         }
         std::string huge = bytes;
         huge.replace(0, 8, 8, '\xFF');
