@@ -185,8 +185,8 @@ Status run_simulate(const SimulateRequest& request, Log& log, std::stop_token st
         outputs.push_back(&*truth);
     }
     const auto write_all = [&]() -> Status {
-        TRY(write_stream(output, format,
-                         {frame_count(decay), decay.rate_hz, decay.bits, full_scale, run}));
+        TRY(write_samples(output, format,
+                          {frame_count(decay), decay.rate_hz, decay.bits, full_scale, run}));
         if (truth) {
             TRY(fill_truth(*truth, truth_format, request, full_scale, pcm, silent_job(stop)));
         }

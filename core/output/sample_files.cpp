@@ -167,7 +167,7 @@ Result<SampleFormat> sample_format(const std::filesystem::path& target) {
                               : SampleFormat::mat;
 }
 
-Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream) {
+Status write_samples(OutputFile& file, SampleFormat format, const SampleStream& stream) {
     switch (format) {
         case SampleFormat::wav: return write_wav(file, stream);
         case SampleFormat::csv: return write_csv(file, stream);
@@ -177,20 +177,18 @@ Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& s
     return {};
 }
 
-Status write_samples(OutputFile& file, SampleFormat format, const Samples& samples,
-                     const JobControl& job) {
-    const auto run = [&](const SampleSink& sink) -> Status {
-        for (std::size_t at = 0; at < samples.c.size(); at += frames_per_block) {
+SampleStream in_memory(std::span<const double> c, std::span<const double> d, double rate_hz,
+                       const JobControl& job) {
+    const auto run = [=](const SampleSink& sink) -> Status {
+        for (std::size_t at = 0; at < c.size(); at += frames_per_block) {
             TRY(job.go_on());
-            const std::size_t count = std::min(frames_per_block, samples.c.size() - at);
-            TRY(sink(samples.c.subspan(at, count), samples.d.subspan(at, count)));
-            job.report(static_cast<double>(at + count) / static_cast<double>(samples.c.size()));
+            const std::size_t count = std::min(frames_per_block, c.size() - at);
+            TRY(sink(c.subspan(at, count), d.subspan(at, count)));
+            job.report(static_cast<double>(at + count) / static_cast<double>(c.size()));
         }
         return {};
     };
-    return write_stream(file, format,
-                        {static_cast<std::int64_t>(samples.c.size()), samples.rate_hz, samples.bits,
-                         samples.full_scale, run});
+    return {static_cast<std::int64_t>(c.size()), rate_hz, 0, 0, run};
 }
 
 }  // namespace vybeg

@@ -24,14 +24,9 @@ struct SampleStream {
     std::function<Status(const SampleSink&)> run;
 };
 
-// Two signals of equal length in memory, the rest as in SampleStream.
-struct Samples {
-    std::span<const double> c;
-    std::span<const double> d;
-    double rate_hz = 0;
-    int bits = 0;
-    double full_scale = 0;
-};
+// Two signals of equal length in memory, which must outlive the stream.
+SampleStream in_memory(std::span<const double> c, std::span<const double> d, double rate_hz,
+                       const JobControl& job);
 
 enum class SampleFormat { wav, csv, npy, mat };
 
@@ -44,11 +39,7 @@ Result<SampleFormat> sample_format(const std::filesystem::path& target);
 // csv: t_s,C,D, numbers that round-trip.   npy: float64, shape (n, 2).
 // mat: MATLAB level 5, vectors S_C, S_D (n x 1) and the scalar fs; computes the signals twice,
 //      limit of 4 GiB each.
-// Errors: output_failed, those of the stream. The caller calls commit().
-Status write_stream(OutputFile& file, SampleFormat format, const SampleStream& stream);
-
-// The same; also interrupted.
-Status write_samples(OutputFile& file, SampleFormat format, const Samples& samples,
-                     const JobControl& job);
+// Errors: output_failed, interrupted, those of the stream. The caller calls commit().
+Status write_samples(OutputFile& file, SampleFormat format, const SampleStream& stream);
 
 }  // namespace vybeg

@@ -74,8 +74,8 @@ private:
         Result<SimulatedDecay> samples = simulate(decay, {});
         Result<OutputFile> file = OutputFile::create(path, {});
         if (!samples || !file ||
-            !write_samples(*file, *sample_format(path), {samples->c, samples->d, decay.rate_hz},
-                           {}) ||
+            !write_samples(*file, *sample_format(path),
+                           in_memory(samples->c, samples->d, decay.rate_hz, {})) ||
             !file->commit()) {
             fail("the recordings cannot be written");
         }

@@ -39,7 +39,7 @@ FreeDecay decay(int frames) {
 void write(const std::filesystem::path& path, const SimulatedDecay& samples, double rate_hz) {
     OutputFile file = needed(OutputFile::create(path, {}));
     needed(write_samples(file, needed(sample_format(path)),
-                         {samples.c, samples.d, rate_hz, 0, samples.full_scale}, {}));
+                         in_memory(samples.c, samples.d, rate_hz, {})));
     needed(file.commit());
 }
 

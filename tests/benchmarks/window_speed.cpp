@@ -76,8 +76,8 @@ QString write_demo(const QTemporaryDir& folder) {
     const auto samples = simulate(decay, {});
     auto file = OutputFile::create(target, {});
     if (!samples || !file ||
-        !write_samples(*file, *sample_format(target), {samples->c, samples->d, decay.rate_hz},
-                       {}) ||
+        !write_samples(*file, *sample_format(target),
+                       in_memory(samples->c, samples->d, decay.rate_hz, {})) ||
         !file->commit()) {
         qFatal("the recording cannot be written");
     }

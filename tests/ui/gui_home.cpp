@@ -32,7 +32,7 @@ QString GuiTestHome::recording(const QString& name, const FreeDecay& decay) cons
     auto file = OutputFile::create(target, JobControl());
     const auto format = sample_format(target);
     if (!samples || !file || !format ||
-        !write_samples(*file, *format, {samples->c, samples->d, decay.rate_hz}, JobControl()) ||
+        !write_samples(*file, *format, in_memory(samples->c, samples->d, decay.rate_hz, {})) ||
         !file->commit()) {
         qFatal("the test's recording cannot be written");
     }

@@ -74,7 +74,8 @@ Status writeDemonstration(const QString& path, const JobControl& job) {
     const FreeDecay decay = demo_decay();
     const auto samples = TRY(simulate(decay, job));
     auto file = TRY(OutputFile::create(std::filesystem::path(path.toStdU16String()), job));
-    TRY(write_samples(file, SampleFormat::wav, {samples.c, samples.d, decay.rate_hz}, job));
+    TRY(write_samples(file, SampleFormat::wav,
+                      in_memory(samples.c, samples.d, decay.rate_hz, job)));
     return file.commit();
 }
 

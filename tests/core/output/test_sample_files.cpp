@@ -51,9 +51,10 @@ private:
         const QString path = folder_.filePath(name);
         const auto format = sample_format(path.toStdString());
         auto file = OutputFile::create(path.toStdString(), {});
-        if (!format || !file ||
-            !write_samples(*file, *format, {signals_.c, signals_.d, 33333, bits, full_scale}, {}) ||
-            !file->commit()) {
+        SampleStream stream = in_memory(signals_.c, signals_.d, 33333, {});
+        stream.bits = bits;
+        stream.full_scale = full_scale;
+        if (!format || !file || !write_samples(*file, *format, stream) || !file->commit()) {
             return "(not written)";
         }
         return path;
@@ -93,8 +94,8 @@ private slots:
             if (!file) {
                 return file.error();
             }
-            const Status written =
-                write_samples(*file, *sample_format(target), {signals_.c, signals_.d, 33333}, {});
+            const Status written = write_samples(*file, *sample_format(target),
+                                                 in_memory(signals_.c, signals_.d, 33333, {}));
             return written ? file->commit() : written;
         });
     }
@@ -221,7 +222,7 @@ private slots:
         auto file = OutputFile::create(path.toStdString(), {});
         QVERIFY(file);
         const Status written =
-            write_samples(*file, SampleFormat::wav, {signals_.c, signals_.d, 33333.5, 0, 0}, {});
+            write_samples(*file, SampleFormat::wav, in_memory(signals_.c, signals_.d, 33333.5, {}));
         QVERIFY(!written);
         QCOMPARE(written.error().code, ErrorCode::output_failed);
     }
@@ -239,7 +240,7 @@ private slots:
         auto file = OutputFile::create("/dev/full", {});
         QVERIFY(file);
         const Status written =
-            write_samples(*file, format, {signals_.c, signals_.d, 33333, 0, 0}, {});
+            write_samples(*file, format, in_memory(signals_.c, signals_.d, 33333, {}));
         QVERIFY(!written);
         QCOMPARE(written.error().code, ErrorCode::output_failed);
     }
@@ -256,7 +257,7 @@ private slots:
         QVERIFY(file);
         stop.request_stop();
         const Status written =
-            write_samples(*file, format, {signals_.c, signals_.d, 33333, 0, 0}, job);
+            write_samples(*file, format, in_memory(signals_.c, signals_.d, 33333, job));
         QVERIFY(!written);
         QCOMPARE(written.error().code, ErrorCode::interrupted);
     }

@@ -25,7 +25,7 @@ Status write_recording(const FreeDecay& decay, const QString& path) {
         return file.error();
     }
     const Status written = write_samples(*file, SampleFormat::wav,
-                                         {samples->c, samples->d, decay.rate_hz}, JobControl());
+                                         in_memory(samples->c, samples->d, decay.rate_hz, {}));
     return written ? file->commit() : written;
 }
 
