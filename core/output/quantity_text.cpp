@@ -42,7 +42,7 @@ std::string rounded_text(double value, int place) {
 
 }  // namespace
 
-QuantityText quantity_text(double value, double sd) {
+QuantityText quantity_text(double value, double sd, double u) {
     if (!std::isfinite(value)) {
         return {"nan", "", 0};
     }
@@ -55,25 +55,22 @@ QuantityText quantity_text(double value, double sd) {
         return {short_text(value * scale), "", exponent};
     }
     const int place = last_place(sd * scale);
-    return {rounded_text(value * scale, place), rounded_text(sd * scale, place), exponent};
-}
-
-QuantityText quantity_text(double value, double sd, double u) {
-    const QuantityText statistical = quantity_text(value, sd);
-    if (statistical.sd.empty() || !std::isfinite(u) || u <= sd) {
+    const QuantityText statistical{rounded_text(value * scale, place),
+                                   rounded_text(sd * scale, place), exponent};
+    if (!std::isfinite(u) || u <= sd) {
         return statistical;
     }
     QuantityText both = statistical;
-    const double most_shared = statistical.exponent == 0 ? most : 10;
-    if (u * std::pow(10.0, -statistical.exponent) < most_shared) {
-        both.u_exponent = statistical.exponent;
+    const double most_shared = exponent == 0 ? most : 10;
+    if (u * scale < most_shared) {
+        both.u_exponent = exponent;
     } else if (u < least || u >= most) {
         // From 9.5 on, the one digit rounds to 10.
         both.u_exponent = static_cast<int>(std::floor(std::log10(u / 0.95)));
     }
-    const double scale = std::pow(10.0, -both.u_exponent);
-    both.u = rounded_text(u * scale, last_place(u * scale));
-    return both.u == statistical.sd && both.u_exponent == statistical.exponent ? statistical : both;
+    const double own_scale = std::pow(10.0, -both.u_exponent);
+    both.u = rounded_text(u * own_scale, last_place(u * own_scale));
+    return both.u == statistical.sd && both.u_exponent == exponent ? statistical : both;
 }
 
 }  // namespace vybeg

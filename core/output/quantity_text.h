@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace vybeg {
@@ -17,10 +18,9 @@ struct QuantityText {
 };
 
 // Without a deviation (NaN, infinite or not positive) the value has six significant digits. An
-// exponent is used if the larger of the two is below 1e-4 or not below 1e7.
-QuantityText quantity_text(double value, double sd);
-
-// With a combined uncertainty u; NaN: none.
-QuantityText quantity_text(double value, double sd, double u);
+// exponent is used if the larger of the two is below 1e-4 or not below 1e7. `u`: a combined
+// uncertainty; NaN: none.
+QuantityText quantity_text(double value, double sd,
+                           double u = std::numeric_limits<double>::quiet_NaN());
 
 }  // namespace vybeg
