@@ -48,8 +48,6 @@ struct TdmsScaler {
     std::int64_t buffer = 0;
     std::int64_t offset = 0;  // bytes from the start of a row
     std::uint32_t id = 0;     // the scale that takes it as its input
-
-    friend bool operator==(const TdmsScaler&, const TdmsScaler&) = default;
 };
 
 // Data of one object in each chunk of a segment's raw data.

@@ -123,14 +123,76 @@ bool has_texts(const std::vector<TdmsRawIndex>& indices) {
 class TdmsRanges {
 public:
     // `scaler`: id of the chosen numbers of a DAQmx channel.
-    explicit TdmsRanges(std::size_t object, std::uint32_t scaler = 0)
-        : object_(object), scaler_(scaler) {}
+    TdmsRanges(std::size_t object, std::uint32_t scaler) : object_(object), scaler_(scaler) {}
 
     // Adds the chunks of one segment. A last chunk that is shorter by its segment is divided in
     // proportion among consecutive channels; in a truncated file the present bytes count. Returns
     // the fault of the chunks, if any.
     std::optional<const char*> take(const TdmsSegment& segment,
-                                    const std::vector<TdmsRawIndex>& chunk);
+                                    const std::vector<TdmsRawIndex>& indices) {
+        const bool is_daqmx = !indices.empty() && indices.front().is_daqmx;
+        if (segment.interleaved && !is_daqmx &&
+            std::any_of(indices.begin(), indices.end(), [&](const TdmsRawIndex& index) {
+                return index.count != indices.front().count || !tdms_bytes(index.type);
+            })) {
+            return VYBEG_MESSAGE("Words", "channels of different lengths are interleaved");
+        }
+        const auto made = is_daqmx
+                              ? daqmx_chunk_for(object_, scaler_, indices)
+                              : std::optional(chunk_for(object_, indices, segment.interleaved));
+        if (!made) {
+            return VYBEG_MESSAGE("Words", "its channels do not agree on the width of a row");
+        }
+        const Chunk& chunk = *made;
+        if (chunk.size == 0) {
+            return std::nullopt;
+        }
+        const std::int64_t whole = segment.size / chunk.size;
+        const std::int64_t rest = segment.size % chunk.size;
+        if (rest != 0 && !segment.last) {
+            return VYBEG_MESSAGE("Words", "a segment ends within a chunk of its raw data");
+        }
+        if (chunk.count == 0) {
+            return std::nullopt;
+        }
+        StridedRange range;
+        range.count = whole * chunk.count;
+        range.per_chunk = chunk.count;
+        range.offset = segment.offset + chunk.offset;
+        range.stride = chunk.stride;
+        range.chunk_stride = chunk.size;
+        range.big_endian = segment.big_endian;
+
+        // The number of values of an unclosed segment is that of its whole chunks.
+        const std::int64_t bytes = segment.promised.value_or(segment.size);
+        const std::int64_t last = bytes % chunk.size;
+        promised_ += bytes / chunk.size * chunk.count;
+        if (!segment.promised || last == 0 || chunk.by_rows) {
+            promised_ += last == 0 ? 0 : segment.promised ? values_in(chunk, last) : chunk.count;
+            range.count += values_in(chunk, rest);
+            append(range);
+            return std::nullopt;
+        }
+        const auto share = shared_out(chunk, object_, last, indices);
+        if (!share) {
+            return VYBEG_MESSAGE("Words", "it promises more samples than any file can hold");
+        }
+        promised_ += share->count;
+        if (whole < bytes / chunk.size) {  // cut before its last chunk
+            range.count += values_in(chunk, rest);
+            append(range);
+            return std::nullopt;
+        }
+        append(range);
+        // The number of text bytes in a shorter chunk is unknown.
+        StridedRange end = range;
+        end.count = has_texts(indices) ? 0 : values_in(*share, rest);
+        end.per_chunk = std::max<std::int64_t>(share->count, 1);
+        end.offset = segment.offset + whole * chunk.size + share->offset;
+        end.chunk_stride = end.per_chunk * end.stride;
+        append(end);
+        return std::nullopt;
+    }
 
     const std::vector<StridedRange>& ranges() const { return ranges_; }
     std::vector<StridedRange> take_ranges() { return std::move(ranges_); }
@@ -138,7 +200,28 @@ public:
     std::int64_t promised() const { return promised_; }
 
 private:
-    void append(StridedRange range);
+    void append(StridedRange range) {
+        if (range.count == 0) {
+            return;
+        }
+        range.first = ranges_.empty() ? 0 : ranges_.back().end();
+        if (!ranges_.empty()) {
+            StridedRange& before = ranges_.back();
+            const std::int64_t chunks = before.count / before.per_chunk;
+            const std::int64_t step =
+                range.offset - before.offset - (chunks - 1) * before.chunk_stride;
+            const bool alike =
+                before.per_chunk == range.per_chunk && before.stride == range.stride &&
+                before.big_endian == range.big_endian && before.count % before.per_chunk == 0;
+            if (alike && (chunks == 1 || before.chunk_stride == step) &&
+                (range.count <= range.per_chunk || range.chunk_stride == step)) {
+                before.chunk_stride = step;
+                before.count += range.count;
+                return;
+            }
+        }
+        ranges_.push_back(range);
+    }
 
     std::size_t object_;
     std::uint32_t scaler_;
@@ -146,93 +229,7 @@ private:
     std::vector<StridedRange> ranges_;
 };
 
-std::optional<const char*> TdmsRanges::take(const TdmsSegment& segment,
-                                            const std::vector<TdmsRawIndex>& indices) {
-    const bool is_daqmx = !indices.empty() && indices.front().is_daqmx;
-    if (segment.interleaved && !is_daqmx &&
-        std::any_of(indices.begin(), indices.end(), [&](const TdmsRawIndex& index) {
-            return index.count != indices.front().count || !tdms_bytes(index.type);
-        })) {
-        return VYBEG_MESSAGE("Words", "channels of different lengths are interleaved");
-    }
-    const auto made = is_daqmx ? daqmx_chunk_for(object_, scaler_, indices)
-                               : std::optional(chunk_for(object_, indices, segment.interleaved));
-    if (!made) {
-        return VYBEG_MESSAGE("Words", "its channels do not agree on the width of a row");
-    }
-    const Chunk& chunk = *made;
-    if (chunk.size == 0) {
-        return std::nullopt;
-    }
-    const std::int64_t whole = segment.size / chunk.size;
-    const std::int64_t rest = segment.size % chunk.size;
-    if (rest != 0 && !segment.last) {
-        return VYBEG_MESSAGE("Words", "a segment ends within a chunk of its raw data");
-    }
-    if (chunk.count == 0) {
-        return std::nullopt;
-    }
-    StridedRange range;
-    range.count = whole * chunk.count;
-    range.per_chunk = chunk.count;
-    range.offset = segment.offset + chunk.offset;
-    range.stride = chunk.stride;
-    range.chunk_stride = chunk.size;
-    range.big_endian = segment.big_endian;
-
-    // The number of values of an unclosed segment is that of its whole chunks.
-    const std::int64_t bytes = segment.promised.value_or(segment.size);
-    const std::int64_t last = bytes % chunk.size;
-    promised_ += bytes / chunk.size * chunk.count;
-    if (!segment.promised || last == 0 || chunk.by_rows) {
-        promised_ += last == 0 ? 0 : segment.promised ? values_in(chunk, last) : chunk.count;
-        range.count += values_in(chunk, rest);
-        append(range);
-        return std::nullopt;
-    }
-    const auto share = shared_out(chunk, object_, last, indices);
-    if (!share) {
-        return VYBEG_MESSAGE("Words", "it promises more samples than any file can hold");
-    }
-    promised_ += share->count;
-    if (whole < bytes / chunk.size) {  // cut before its last chunk
-        range.count += values_in(chunk, rest);
-        append(range);
-        return std::nullopt;
-    }
-    append(range);
-    // The number of text bytes in a shorter chunk is unknown.
-    StridedRange end = range;
-    end.count = has_texts(indices) ? 0 : values_in(*share, rest);
-    end.per_chunk = std::max<std::int64_t>(share->count, 1);
-    end.offset = segment.offset + whole * chunk.size + share->offset;
-    end.chunk_stride = end.per_chunk * end.stride;
-    append(end);
-    return std::nullopt;
-}
-
-void TdmsRanges::append(StridedRange range) {
-    if (range.count == 0) {
-        return;
-    }
-    range.first = ranges_.empty() ? 0 : ranges_.back().end();
-    if (!ranges_.empty()) {
-        StridedRange& before = ranges_.back();
-        const std::int64_t chunks = before.count / before.per_chunk;
-        const std::int64_t step = range.offset - before.offset - (chunks - 1) * before.chunk_stride;
-        const bool alike = before.per_chunk == range.per_chunk && before.stride == range.stride &&
-                           before.big_endian == range.big_endian &&
-                           before.count % before.per_chunk == 0;
-        if (alike && (chunks == 1 || before.chunk_stride == step) &&
-            (range.count <= range.per_chunk || range.chunk_stride == step)) {
-            before.chunk_stride = step;
-            before.count += range.count;
-            return;
-        }
-    }
-    ranges_.push_back(range);
-}
-
+// The steps of a channel's scaling. Values that are not finite become NaN.
 void apply(const TdmsScaling& scaling, std::span<double> samples) {
     for (const Polynomial& step : scaling.steps) {
         for (double& sample : samples) {
@@ -245,20 +242,6 @@ void apply(const TdmsScaling& scaling, std::span<double> samples) {
                          : std::numeric_limits<double>::quiet_NaN();
         }
     }
-}
-
-// Source with the steps of each channel's scaling; the source itself without steps. Values that are
-// not finite become NaN.
-std::shared_ptr<const SampleSource> scaled_by(std::shared_ptr<const SampleSource> source,
-                                              const TdmsScaling& c, const TdmsScaling& d) {
-    if (c.steps.empty() && d.steps.empty()) {
-        return source;
-    }
-    return mapped_source(std::move(source),
-                         [c, d](std::span<double> samples_c, std::span<double> samples_d) {
-                             apply(c, samples_c);
-                             apply(d, samples_d);
-                         });
 }
 
 constexpr std::string_view data_tag = "TDSm";
@@ -528,8 +511,15 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     }
     const std::int64_t frames_c = columns.c.frames();
     const std::int64_t frames_d = columns.d.frames();
-    found.source = scaled_by(column_source(std::move(columns.c), std::move(columns.d)),
-                             chosen_c->scaling, chosen_d->scaling);
+    found.source = column_source(std::move(columns.c), std::move(columns.d));
+    if (!chosen_c->scaling.steps.empty() || !chosen_d->scaling.steps.empty()) {
+        found.source = mapped_source(std::move(found.source),
+                                     [c = chosen_c->scaling, d = chosen_d->scaling](
+                                         std::span<double> samples_c, std::span<double> samples_d) {
+                                         apply(c, samples_c);
+                                         apply(d, samples_d);
+                                     });
+    }
     found.present_frames = found.source->frames();
     auto recording = complete_recording(*file, std::move(found), options);
     if (recording && columns.promised_c != columns.promised_d) {
