@@ -149,6 +149,7 @@ struct Hdf5Field {
 constexpr std::int64_t most_width = 4096;  // numbers in a field
 constexpr std::int64_t numbers_at_once = std::int64_t{1} << 17;
 
+// Nothing for a field of another kind.
 std::optional<Hdf5Field> number_field(hid_t record, unsigned place) {
     char* const name = H5Tget_member_name(record, place);
     if (!name) {
@@ -175,18 +176,6 @@ std::optional<Hdf5Field> number_field(hid_t record, unsigned place) {
     field.bits = static_cast<int>(8 * H5Tget_size(type.get()));
     field.is_float = kind == H5T_FLOAT;
     return is_real(kind) ? std::optional(field) : std::nullopt;
-}
-
-// The fields of a compound type that hold real numbers; others are passed over.
-std::vector<Hdf5Field> number_fields(hid_t type) {
-    std::vector<Hdf5Field> fields;
-    const int members = H5Tget_nmembers(type);
-    for (int i = 0; i < members; ++i) {
-        if (auto field = number_field(type, static_cast<unsigned>(i))) {
-            fields.push_back(std::move(*field));
-        }
-    }
-    return fields;
 }
 
 // Number `channel` of a field from the record `first` on. False where that fails.
@@ -310,7 +299,8 @@ public:
 
 private:
     Error too_many_objects() const {
-        return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+        return too_many_parts("", catalogue_.format,
+                              VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
     }
 
     // The attributes around a group hold for what is in it.
@@ -424,17 +414,23 @@ private:
         return add(std::move(entry), std::move(dataset));
     }
 
-    // Each field of a table's records is a variable; the rest of `table` and `dataset` is common.
+    // Each field of a table's records that holds numbers is a variable; the rest of `table` and
+    // `dataset` is common.
     Status list_fields(hid_t type, const FileVariable& table, const Dataset& dataset) {
-        for (Hdf5Field& field : number_fields(type)) {
+        const int members = H5Tget_nmembers(type);
+        for (int i = 0; i < members; ++i) {
+            std::optional<Hdf5Field> field = number_field(type, static_cast<unsigned>(i));
+            if (!field) {
+                continue;
+            }
             if (++objects_ > most_objects) {
                 return too_many_objects();
             }
             FileVariable entry = table;
-            entry.name += (naming_ == Naming::matlab ? "." : "/") + field.name;
+            entry.name += (naming_ == Naming::matlab ? "." : "/") + field->name;
             entry.frames = static_cast<std::int64_t>(dataset.extent[0]);
-            entry.channels = field.width;
-            entry.type = number_type_text(field.bits, field.is_float);
+            entry.channels = field->width;
+            entry.type = number_type_text(field->bits, field->is_float);
             Dataset records = dataset;
             records.field = std::move(field);
             TRY(add(std::move(entry), std::move(records)));
@@ -471,10 +467,6 @@ private:
         std::string name = path.substr(1);
         std::replace(name.begin(), name.end(), '/', '.');
         return name;
-    }
-
-    Error limit(const char* text, std::size_t most) const {
-        return too_many_parts("", catalogue_.format, text, most);
     }
 
     Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
