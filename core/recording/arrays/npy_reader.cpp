@@ -147,11 +147,6 @@ std::string printable(std::string_view text) {
     return copy;
 }
 
-// The axis that counts the channels of a matrix.
-std::size_t channel_axis(const std::vector<std::int64_t>& shape) {
-    return shape[0] > 0 && shape[0] < shape[1] ? 0 : 1;
-}
-
 // Of the columns of a phasemeter's log; empty: it is none.
 std::vector<Channel> moku_headings(const NpyArray& array) {
     constexpr std::int64_t header_of_moku = 96;  // NumPy ends it at a multiple of 64, once of 16
@@ -159,10 +154,10 @@ std::vector<Channel> moku_headings(const NpyArray& array) {
         {{"Set Frequency", "Hz"}, {"Frequency", "Hz"}, {"Phase", "cyc"}, {"I", "V"}, {"Q", "V"}}};
     constexpr std::int64_t each = of_input.size();
     constexpr std::int64_t most_inputs = 4;
-    const std::int64_t columns = array.shape.size() == 2 ? array.shape[1] : 0;
-    if (array.data_offset != header_of_moku || array.type != NumberType::f64 || array.big_endian ||
-        array.fortran_order || columns % each != 1 || columns <= each ||
-        columns > most_inputs * each + 1 || array.shape[0] < columns) {
+    const std::int64_t columns = array.channels;
+    if (array.offset != header_of_moku || array.type != NumberType::f64 || array.big_endian ||
+        array.fortran_order || !array.interleaved || columns % each != 1 || columns <= each ||
+        columns > most_inputs * each + 1) {
         return {};
     }
     std::vector<Channel> headings{{"Time", "s"}};
@@ -197,12 +192,12 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
     }
     FoundSamples found;
     // Of three columns or more, the first may be the time, which is no channel.
-    if (array.channels() > 2) {
-        auto times = TRY(rate_of_times(npy_column(array, bytes, 0), 1, job));
+    if (array.channels > 2) {
+        auto times = TRY(rate_of_times(array_column(array, bytes, 0), 1, job));
         found.own_rate = times;
     }
     const int first = found.own_rate ? 1 : 0;  // channel
-    const auto channels = static_cast<int>(array.channels()) - first;
+    const auto channels = static_cast<int>(array.channels) - first;
     TRY(check_channels(*file, channels, options));
     found.format = {FormatPart::name("NPY"), FormatPart::words(name_of(array.type)),
                     byte_order_part(array.big_endian),
@@ -210,9 +205,8 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
                                                           : VYBEG_MESSAGE("Format", "C order")),
                     FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
-    found.promised_frames = array.frames();
-    found.source = column_source(npy_column(array, bytes, first + options.channel_c - 1),
-                                 npy_column(array, bytes, first + options.channel_d - 1));
+    found.promised_frames = array.frames;
+    found.source = array_source(file, array, first + options.channel_c, first + options.channel_d);
     found.present_frames = found.source->frames();
     return complete_recording(*file, std::move(found), options);
 }
@@ -221,10 +215,10 @@ Result<std::vector<NamedColumn>> npy_columns(const std::shared_ptr<const FileByt
     const auto bytes = file_part(file, 0, file->size());
     const auto array = TRY(read_npy_header(*file, *bytes, "NPY"));
     std::vector<Channel> headings = moku_headings(array);
-    headings.resize(static_cast<std::size_t>(array.channels()));
+    headings.resize(static_cast<std::size_t>(array.channels));
     std::vector<NamedColumn> columns;
     for (Channel& heading : headings) {
-        columns.push_back({std::move(heading), npy_column(array, bytes, std::ssize(columns))});
+        columns.push_back({std::move(heading), array_column(array, bytes, std::ssize(columns))});
     }
     return columns;
 }
@@ -233,12 +227,11 @@ bool is_npy(std::string_view head) {
     return head.starts_with(magic);
 }
 
-std::int64_t NpyArray::channels() const {
-    return shape.size() == 2 ? shape[channel_axis(shape)] : 1;
-}
-
-std::int64_t NpyArray::frames() const {
-    return shape.empty() ? 1 : shape.size() == 1 ? shape[0] : shape[1 - channel_axis(shape)];
+void set_matrix(std::int64_t rows, std::int64_t columns, bool by_columns, NumberArray& array) {
+    const bool row_is_channel = rows > 0 && rows < columns;
+    array.frames = row_is_channel ? columns : rows;
+    array.channels = row_is_channel ? rows : columns;
+    array.interleaved = row_is_channel == by_columns;
 }
 
 Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
@@ -284,28 +277,21 @@ Result<NpyArray> read_npy_header(const FileBytes& file, const ByteSource& bytes,
             name,
             VYBEG_MESSAGE("Words", "its header promises more samples than any file can hold"));
     }
-    NpyArray array{type->first, type->second, *header->fortran_order, *header->shape,
-                   text_at + text_size};
-    if (array.channels() > most_channels) {
+    NpyArray array;
+    array.type = type->first;
+    array.big_endian = type->second;
+    array.fortran_order = *header->fortran_order;
+    array.offset = text_at + text_size;
+    const std::vector<std::int64_t>& shape = *header->shape;
+    array.frames = shape.empty() ? 1 : shape[0];
+    if (shape.size() == 2) {
+        set_matrix(shape[0], shape[1], array.fortran_order, array);
+    }
+    if (array.channels > most_channels) {
         return file.unsupported(name, VYBEG_MESSAGE("Words", "%1 channels"),
-                                {count_arg(array.channels())});
+                                {count_arg(array.channels)});
     }
     return array;
-}
-
-SampleColumn npy_column(const NpyArray& array, std::shared_ptr<const ByteSource> bytes,
-                        std::int64_t channel) {
-    const std::int64_t size = bytes_of(array.type);
-    // Whether the samples of a channel are contiguous, one channel after the other.
-    const bool apart =
-        array.shape.size() < 2 || (channel_axis(array.shape) == 0) != array.fortran_order;
-    const std::int64_t stride = apart ? size : array.channels() * size;
-    const std::int64_t offset =
-        array.data_offset + channel * (apart ? array.frames() * size : size);
-    const std::int64_t room = bytes->size() - offset - size;
-    const std::int64_t count =
-        room < 0 || array.channels() == 0 ? 0 : std::min(array.frames(), room / stride + 1);
-    return {std::move(bytes), array.type, {even_run(count, offset, stride, array.big_endian)}};
 }
 
 }  // namespace vybeg

@@ -16,27 +16,23 @@
 
 namespace vybeg {
 
-NumberType number_type(RawType type) {
+Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
     // In the order of RawType.
     constexpr std::array types{NumberType::i16, NumberType::i32, NumberType::f32, NumberType::f64};
-    return types.at(static_cast<std::size_t>(type));
-}
-
-Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
     const RawLayout& layout = *options.raw;
     TRY(check_layout(layout));
     TRY(check_channels(*file, layout.channels, options));
+    const NumberType type = types.at(static_cast<std::size_t>(layout.type));
     FoundSamples found;
     found.format = {FormatPart::words(VYBEG_MESSAGE("Format", "raw")),
-                    FormatPart::words(name_of(number_type(layout.type))),
-                    byte_order_part(layout.big_endian), FormatPart::channels(layout.channels)};
+                    FormatPart::words(name_of(type)), byte_order_part(layout.big_endian),
+                    FormatPart::channels(layout.channels)};
     found.channels = numbered_channels(layout.channels);
-    InterleavedSamples samples{
-        number_type(layout.type), {}, layout.big_endian, layout.channels, layout.skip_bytes};
-    const std::int64_t frame_bytes = std::int64_t{bytes_of(samples.type)} * layout.channels;
+    NumberArray samples{type, {}, layout.big_endian, layout.channels, layout.skip_bytes};
+    const std::int64_t frame_bytes = std::int64_t{bytes_of(type)} * layout.channels;
     samples.frames = std::max<std::int64_t>(file->size() - layout.skip_bytes, 0) / frame_bytes;
     found.present_frames = samples.frames;
-    found.source = interleaved_source(file, samples, options.channel_c, options.channel_d);
+    found.source = array_source(file, samples, options.channel_c, options.channel_d);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -119,10 +115,6 @@ void take_lines(std::string_view text, ZetlabHeader& header) {
     }
 }
 
-bool ends_in_ana(const std::filesystem::path& path) {
-    return lower_text(path.extension().string()) == ".ana";
-}
-
 // The file beside the samples that describes them.
 Result<std::pair<std::shared_ptr<const FileBytes>, ZetlabHeader>> find_header(
     const FileBytes& file) {
@@ -159,7 +151,7 @@ std::optional<ZetlabHeader> parse_zetlab_header(std::string_view text) {
 }
 
 bool is_zetlab(std::string_view /*head*/, const FileBytes& file) {
-    return ends_in_ana(file.path());
+    return lower_text(file.path().extension().string()) == ".ana";
 }
 
 Result<Recording> open_zetlab(std::shared_ptr<const FileBytes> file, const OpenOptions& options,
@@ -168,15 +160,14 @@ Result<Recording> open_zetlab(std::shared_ptr<const FileBytes> file, const OpenO
     auto beside = TRY(find_header(*file));
     const auto& [header_file, header] = beside;
     const NumberType type = NumberType::f32;
-    const InterleavedSamples samples{
-        type, {header.scale, 0}, false, 1, 0, file->size() / bytes_of(type)};
+    const NumberArray samples{type, {header.scale, 0}, false, 1, 0, file->size() / bytes_of(type)};
     FoundSamples found;
     found.format = {FormatPart::name("ZETLAB"), FormatPart::words(name_of(type)),
                     FormatPart::channels(1)};
     found.channels = {{header.name.empty() ? "1" : header.name, header.unit}};
     found.own_rate = SampleRate{header.rate_hz, RateOrigin::file};
     found.present_frames = samples.frames;
-    found.source = interleaved_source(file, samples, 1, 1);
+    found.source = array_source(file, samples, 1, 1);
     auto recording = complete_recording(*file, std::move(found), options);
     if (recording) {
         recording->more_files.push_back(header_file);

@@ -198,21 +198,15 @@ public:
 
     // Of a broadcast extension or a list; the extension counts first.
     void take_start(const std::string& start, bool of_broadcast) {
-        if (!start.empty() && (start_.empty() || (of_broadcast && !broadcast_))) {
-            start_ = start;
+        if (!start.empty() && (extent_.start.empty() || (of_broadcast && !broadcast_))) {
+            extent_.start = start;
             broadcast_ = of_broadcast;
         }
     }
 
     void hide(const Chunk& chunk) { extent_.patches.push_back({chunk.payload_at - 8, "JUNK"}); }
 
-    AudioExtent extent() const {
-        AudioExtent extent = extent_;
-        if (extent.plain) {
-            extent.plain->start = start_;
-        }
-        return extent;
-    }
+    AudioExtent extent() const { return extent_; }
 
 private:
     // Of a format chunk of a usual length that the number of bytes in a frame agrees with.
@@ -236,11 +230,10 @@ private:
         }
         PlainSamples plain;
         if (tag == pcm && (bits == 8 || bits == 16 || bits == 24 || bits == 32 || bits == 64)) {
-            plain.type = bits == 8    ? NumberType::u8
-                         : bits == 16 ? NumberType::i16
-                         : bits == 24 ? NumberType::i24
-                         : bits == 32 ? NumberType::i32
-                                      : NumberType::i64;
+            constexpr std::array by_bytes{NumberType::u8, NumberType::i16, NumberType::i24,
+                                          NumberType::i32};
+            plain.type =
+                bits == 64 ? NumberType::i64 : by_bytes.at(static_cast<std::size_t>(bits) / 8 - 1);
             plain.type_name =
                 (bits == 8 ? "Unsigned " : "Signed ") + integer_text(bits) + " bit PCM";
             plain.scale = {std::ldexp(1.0, 1 - bits), bits == 8 ? -1.0 : 0.0};
@@ -323,7 +316,6 @@ private:
     std::int64_t long_data_size_ = 0;
     int formats_ = 0;
     std::optional<PlainSamples> plain_;
-    std::string start_;
     bool broadcast_ = false;
     AudioExtent extent_;
 };
@@ -432,17 +424,18 @@ namespace {
 Result<Recording> open_plain(const std::shared_ptr<const FileBytes>& file,
                              const AudioExtent& header, const OpenOptions& options) {
     const PlainSamples& plain = *header.plain;
-    TRY(check_channels(*file, plain.channels, options));
+    const auto channels = static_cast<int>(plain.channels);
+    TRY(check_channels(*file, channels, options));
     FoundSamples found;
     found.format = {FormatPart::name(plain.container), FormatPart::words(plain.type_name),
-                    FormatPart::channels(plain.channels)};
-    found.channels = numbered_channels(plain.channels);
+                    FormatPart::channels(channels)};
+    found.channels = numbered_channels(channels);
     found.own_rate = SampleRate{static_cast<double>(plain.rate_hz), RateOrigin::file};
-    found.start = plain.start;
+    found.start = header.start;
     found.present_frames = plain.frames;
     found.promised_frames = std::max(header.promised_frames.value_or(0), plain.frames);
     found.never_closed = header.never_closed;
-    found.source = interleaved_source(file, plain, options.channel_c, options.channel_d);
+    found.source = array_source(file, plain, options.channel_c, options.channel_d);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -494,7 +487,7 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                     FormatPart::channels(channels)};
     found.channels = numbered_channels(channels);
     found.own_rate = own;
-    found.start = catalogue.start;
+    found.start = header.start.empty() ? catalogue.start : header.start;
     found.present_frames = frames;
     // A FLAC stream without its number of frames has the greatest one here.
     const bool is_open = samples.frames == std::numeric_limits<std::int64_t>::max();

@@ -31,11 +31,10 @@ struct HeaderPatch {
 
 // Samples of a WAV, RF64 or W64 file that are plain numbers one behind the other, where the header
 // leaves no doubt of it: what is said twice agrees. Integers are fractions of full scale.
-struct PlainSamples : InterleavedSamples {
+struct PlainSamples : NumberArray {
     std::string container;  // "WAV", "WAVEX" (with an extensible header), "RF64" or "W64"
     std::string type_name;  // "Signed 16 bit PCM", "64 bit float", ...
     std::int64_t rate_hz = 0;
-    std::string start;  // date and time from the file, or empty
 };
 
 // Contents of the chunks of an audio file, without decoding.
@@ -56,6 +55,7 @@ struct AudioExtent {
     // Also the length of a truncated CAF file, and the names of WAV and RF64 chunks that the
     // decoder does not need, some of which make it loop for ever.
     std::vector<HeaderPatch> patches;
+    std::string start;  // date and time, in a WAV or RF64 file; or empty
     std::optional<PlainSamples> plain;
 };
 

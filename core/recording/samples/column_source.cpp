@@ -191,19 +191,25 @@ std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d
                      });
 }
 
-std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
-                                                       const InterleavedSamples& samples, int c,
-                                                       int d) {
-    const std::int64_t width = bytes_of(samples.type);
+SampleColumn array_column(const NumberArray& array, std::shared_ptr<const ByteSource> bytes,
+                          std::int64_t channel) {
+    const std::int64_t size = bytes_of(array.type);
+    const std::int64_t stride = array.interleaved ? array.channels * size : size;
+    const std::int64_t offset =
+        array.offset + channel * (array.interleaved ? size : array.frames * size);
+    const std::int64_t room = bytes->size() - offset - size;
+    const std::int64_t count =
+        room < 0 || array.channels == 0 ? 0 : std::min(array.frames, room / stride + 1);
+    return {std::move(bytes),
+            array.type,
+            {even_run(count, offset, stride, array.big_endian)},
+            array.scale};
+}
+
+std::shared_ptr<const SampleSource> array_source(const std::shared_ptr<const FileBytes>& file,
+                                                 const NumberArray& array, int c, int d) {
     const auto bytes = file_part(file, 0, file->size());
-    const auto column = [&](int channel) {
-        return SampleColumn{bytes,
-                            samples.type,
-                            {even_run(samples.frames, samples.offset + (channel - 1) * width,
-                                      width * samples.channels, samples.big_endian)},
-                            samples.scale};
-    };
-    return column_source(column(c), column(d));
+    return column_source(array_column(array, bytes, c - 1), array_column(array, bytes, d - 1));
 }
 
 namespace {

@@ -41,15 +41,21 @@ struct SampleColumn {
     std::int64_t frames() const { return ranges.empty() ? 0 : ranges.back().end(); }
 };
 
-// Samples of several channels in turn, frame after frame, all of one type.
-struct InterleavedSamples {
-    NumberType type = NumberType::i16;
+// Samples of several channels, all of one type: frame after frame or channel after channel.
+struct NumberArray {
+    NumberType type = NumberType::f64;
     Scale scale{};
     bool big_endian = false;
-    int channels = 0;
-    std::int64_t offset = 0;  // of the first sample in the file, bytes
-    std::int64_t frames = 0;  // present in the file
+    std::int64_t channels = 1;
+    std::int64_t offset = 0;  // of the first sample, bytes
+    std::int64_t frames = 0;
+    bool interleaved = true;  // frame after frame
 };
+
+// Positions of the samples of a channel (from 0) within the bytes, possibly fewer than the array's
+// frames.
+SampleColumn array_column(const NumberArray& array, std::shared_ptr<const ByteSource> bytes,
+                          std::int64_t channel);
 
 // Fills `out` with the samples of a column from the frame `first` on. Precondition: as below.
 Status read_column(const SampleColumn& column, std::int64_t first, std::span<double> out);
@@ -59,10 +65,9 @@ Status read_column(const SampleColumn& column, std::int64_t first, std::span<dou
 // ascending offsets within a range.
 std::shared_ptr<const SampleSource> column_source(SampleColumn c, SampleColumn d);
 
-// The same of two channels of a file, from 1.
-std::shared_ptr<const SampleSource> interleaved_source(const std::shared_ptr<const FileBytes>& file,
-                                                       const InterleavedSamples& samples, int c,
-                                                       int d);
+// The same of two channels, from 1, of an array in a file.
+std::shared_ptr<const SampleSource> array_source(const std::shared_ptr<const FileBytes>& file,
+                                                 const NumberArray& array, int c, int d);
 
 // The rate by a column of times that count in `unit_s` seconds: it rises by even steps below a
 // second, and does not count the rows. Nothing for any other column. Errors: those of reading;

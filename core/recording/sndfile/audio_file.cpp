@@ -9,7 +9,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,11 +53,6 @@ PatchedBytes& patched(void* data) {
     return *static_cast<PatchedBytes*>(data);
 }
 
-std::string without_padding(std::string_view field) {
-    const auto end = field.find('\0');
-    return std::string(field.substr(0, end));
-}
-
 constexpr std::int64_t block_samples = std::int64_t{1} << 20;  // 8 MB
 
 class AudioFile : public HelperFile {
@@ -89,10 +83,12 @@ public:
                                             {count_arg(packed_as)});
         }
         if (!handle_) {
-            return damaged(words(VYBEG_MESSAGE("Words", "its header cannot be understood")));
+            return damaged(VYBEG_MESSAGE("Words", "its header cannot be understood"));
         }
         catalogue_.format = container();
-        catalogue_.start = start();
+        // That of WAV files is read by audio_extent().
+        const char* const date = sf_get_string(handle_, SF_STR_DATE);
+        catalogue_.start = date ? date : "";
         FileVariable samples;
         samples.frames = info_.frames;
         samples.channels = info_.channels;
@@ -143,20 +139,19 @@ private:
     // afterwards.
     Status decode_block(std::int64_t frames) {
         if (position_ != first_ && sf_seek(handle_, first_, SEEK_SET) != first_) {
-            return damaged(words(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
-                                 {count_arg(first_)}));
+            return damaged(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
+                           {count_arg(first_)});
         }
         const std::int64_t got = sf_readf_double(handle_, block_.data(), frames);
         // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with
         // zeros, which only sf_error reveals.
         if (sf_error(handle_) != SF_ERR_NO_ERROR) {
-            return damaged(
-                words(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
-                      {count_arg(first_ + std::max<std::int64_t>(got, 0))}));
+            return damaged(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
+                           {count_arg(first_ + std::max<std::int64_t>(got, 0))});
         }
         if (got != frames) {
-            return damaged(words(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
-                                 {count_arg(first_ + std::max<std::int64_t>(got, 0))}));
+            return damaged(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
+                           {count_arg(first_ + std::max<std::int64_t>(got, 0))});
         }
         position_ = first_ + frames;
         return {};
@@ -175,28 +170,12 @@ private:
         return name.substr(0, name.find(" ("));
     }
 
-    // Date and time from the file, or empty.
-    std::string start() const {
-        SF_BROADCAST_INFO broadcast{};
-        if (sf_command(handle_, SFC_GET_BROADCAST_INFO, &broadcast, sizeof broadcast) == SF_TRUE) {
-            const std::string date =
-                without_padding({broadcast.origination_date, sizeof broadcast.origination_date});
-            const std::string time =
-                without_padding({broadcast.origination_time, sizeof broadcast.origination_time});
-            if (!date.empty()) {
-                return time.empty() ? date : date + " " + time;
-            }
-        }
-        const char* date = sf_get_string(handle_, SF_STR_DATE);
-        return date ? date : "";
-    }
-
-    Error damaged(MessageArg reason) const {
+    Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
         const std::string name = container();
         return bytes_.file->error(
             ErrorCode::format_damaged,
             {name.empty() ? MessageArg(words(VYBEG_MESSAGE("Words", "audio"))) : name,
-             std::move(reason)});
+             words(text, std::move(args))});
     }
 
     PatchedBytes bytes_;

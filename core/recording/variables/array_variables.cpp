@@ -18,7 +18,7 @@ namespace {
 // other would send one decoder back and forth.
 Result<SampleColumn> column_of(const StoredArray& stored, std::int64_t channel) {
     auto content = TRY(stored.content());
-    return npy_column(stored.array, std::move(content), channel);
+    return array_column(stored.array, std::move(content), channel);
 }
 
 class ArrayVariables final : public VariableReader {
@@ -113,11 +113,11 @@ Result<StoredArray> array_in(const std::shared_ptr<const FileBytes>& file, const
         stored.variable.unsupported = array.error().args[1];
     } else {
         stored.array = *array;
-        stored.variable.frames = array->frames();
-        stored.variable.channels = array->channels();
+        stored.variable.frames = array->frames;
+        stored.variable.channels = array->channels;
         stored.variable.type = name_of(array->type);
-        const std::int64_t channels = array->channels();
-        if (channels > 0 && npy_column(*array, *content, channels - 1).frames() < array->frames()) {
+        if (array->channels > 0 &&
+            array_column(*array, *content, array->channels - 1).frames() < array->frames) {
             return file->damaged(
                 "NPZ", VYBEG_MESSAGE("Words", "%1 is shorter than its header says"), {zip.name});
         }

@@ -2,8 +2,8 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
-#include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 #include "core/recording/variables/reader_protocol.h"
@@ -19,7 +19,7 @@ namespace vybeg {
 // Of an unsupported one only `variable` counts. Precondition: the content has all of its numbers.
 struct StoredArray {
     FileVariable variable;
-    NpyArray array;  // where its numbers stand in the content
+    NumberArray array;  // where its numbers stand in the content
     // With a decoder of its own, where it is packed.
     std::function<Result<std::shared_ptr<const ByteSource>>()> content;
 };

@@ -167,8 +167,7 @@ StoredArray stored_matrix(std::string name, std::int64_t rows, std::int64_t colu
     if (is_complex) {
         variable.unsupported = words(VYBEG_MESSAGE("Words", "complex numbers"));
     }
-    stored.array.fortran_order = true;
-    stored.array.shape = {rows, columns};
+    set_matrix(rows, columns, /*by_columns=*/true, stored.array);
     return stored;
 }
 
@@ -199,7 +198,7 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
                               NumberType::f64, header->is_complex);
             stored.array.type = header->type;
             stored.array.big_endian = header->big_endian;
-            stored.array.data_offset = data;
+            stored.array.offset = data;
             stored.content = [whole] { return whole; };
             arrays.push_back(std::move(stored));
         }
@@ -365,7 +364,7 @@ private:
         StoredArray stored = stored_matrix(path, rows, columns, *shown, (bits & complex_flag) != 0);
         stored.array.type = *type;
         stored.array.big_endian = big_endian_;
-        stored.array.data_offset = data.data;
+        stored.array.offset = data.data;
         stored.content = content.again;
         arrays_.push_back(std::move(stored));
     }
@@ -501,14 +500,16 @@ Result<std::vector<NamedColumn>> moku_columns(const std::shared_ptr<const FileBy
     const auto table = std::ranges::find(
         arrays, moku_table, [](const StoredArray& stored) { return stored.variable.name; });
     const auto legend = level5.legends().find(moku_table);
-    if (table == arrays.end() || legend == level5.legends().end() ||
-        table->array.shape[1] != std::ssize(legend->second)) {
+    if (table == arrays.end() || legend == level5.legends().end()) {
+        return columns;
+    }
+    const NumberArray& array = table->array;
+    if ((array.interleaved ? array.frames : array.channels) != std::ssize(legend->second)) {
         return columns;
     }
     for (const Channel& heading : legend->second) {
         auto content = TRY(table->content());
-        columns.push_back(
-            {heading, npy_column(table->array, std::move(content), std::ssize(columns))});
+        columns.push_back({heading, array_column(array, std::move(content), std::ssize(columns))});
     }
     return columns;
 }
