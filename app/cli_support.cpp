@@ -6,8 +6,6 @@
 #include "core/output/quantity_json.h"
 #include "core/output/quantity_text.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -19,11 +17,6 @@
 #include <utility>
 
 namespace vybeg::cli {
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-}  // namespace
 
 double seconds_now() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();

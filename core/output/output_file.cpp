@@ -109,6 +109,7 @@ bool lives(const Owner& owner) {
 }
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
+constexpr std::size_t least_direct = std::size_t{1} << 17;  // bytes written without the buffer
 // Bytes after which the disk begins to write, so that the final wait is short.
 constexpr std::int64_t written_behind = std::int64_t{1} << 23;
 // Bytes that a pipe accepts without blocking if poll() reports it as writable (PIPE_BUF).

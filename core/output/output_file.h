@@ -94,9 +94,6 @@ TemporaryFile make_temporary(const std::filesystem::path& folder);
 // another machine or container that shares the folder.
 void remove_abandoned(const std::filesystem::path& folder);
 
-// Bytes from which a piece is written without a copy into a buffer.
-inline constexpr std::size_t least_direct = std::size_t{1} << 17;
-
 // A file that appears complete or not at all. It is written beside its target under a temporary
 // name; commit() renames it. Without commit() the temporary is removed and the target unchanged. A
 // target that is no regular file (a device, a pipe) is written directly. Every write checks the

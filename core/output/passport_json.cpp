@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -235,7 +234,22 @@ ModeOrder read_mode_order(const Node& name) {
     name.wrong(VYBEG_MESSAGE("Words", "an order of the modes"));
 }
 
-Passport read_all(const Node& json) {
+Passport read_any(const Node& json) {
+    const Node schema = json.at("schema");
+    if (schema.whole_number() < 1) {
+        schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
+    }
+    if (schema.whole_number() > Passport::schema) {
+        throw Error{ErrorCode::passport_schema,
+                    {},
+                    {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
+    }
+    if (schema.whole_number() < Passport::schema) {
+        throw fault(words(VYBEG_MESSAGE("Words",
+                                        "its schema %1 is that of an early version, which is read "
+                                        "no longer: identify its recordings again"),
+                          {count_arg(schema.whole_number())}));
+    }
     Passport passport;
     passport.program = json.at("program").text();
     // Optional: files of before have none of these.
@@ -294,25 +308,6 @@ Json passport_object(const Passport& passport) {
               {"values", numbers_json(passport.raw.values)},
               {"covariance", numbers_json(passport.raw.covariance)}}},
             {"tracks", list_json(passport.tracks, columns_of)}};
-}
-
-Passport read_any(const Node& whole) {
-    const Node schema = whole.at("schema");
-    if (schema.whole_number() < 1) {
-        schema.wrong(VYBEG_MESSAGE("Words", "a positive number"));
-    }
-    if (schema.whole_number() > Passport::schema) {
-        throw Error{ErrorCode::passport_schema,
-                    {},
-                    {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
-    }
-    if (schema.whole_number() < Passport::schema) {
-        throw fault(words(VYBEG_MESSAGE("Words",
-                                        "its schema %1 is that of an early version, which is read "
-                                        "no longer: identify its recordings again"),
-                          {count_arg(schema.whole_number())}));
-    }
-    return read_all(whole);
 }
 
 // What `read` makes of a text.

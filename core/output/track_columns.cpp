@@ -88,11 +88,7 @@ Status TrackSpool::create_file() {
 }
 
 Status TrackSpool::write(std::span<const std::byte> bytes) {
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (spilled_ > 0 && memory_.empty() && text.size() >= least_direct) {
-        return write_out(text);
-    }
-    memory_.append(text);
+    memory_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (memory_.size() >= most_in_memory) {
         TRY(file_ ? Status{} : create_file());
         TRY(write_out(memory_));

@@ -3,7 +3,6 @@
 #include "core/base/message_arg.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 #include <utility>

@@ -104,20 +104,6 @@ void EnvelopeBlock::merge_leaves(std::int64_t from, std::int64_t to, EnvelopeBuc
     }
 }
 
-namespace {
-
-EnvelopeBucket marked(EnvelopeBucket bucket) {
-    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-    for (ChannelRange* const range : {&bucket.c, &bucket.d}) {
-        if (range->min > range->max) {
-            *range = {nothing, nothing};
-        }
-    }
-    return bucket;
-}
-
-}  // namespace
-
 Envelope::Envelope(std::int64_t frames, std::vector<std::shared_ptr<const EnvelopeBlock>> blocks,
                    std::shared_ptr<const std::vector<EnvelopeBucket>> samples)
     : frames_(frames),
@@ -131,10 +117,16 @@ std::vector<EnvelopeBucket> Envelope::buckets(std::int64_t first, std::int64_t e
     result.reserve(static_cast<std::size_t>(count));
     const std::int64_t length = end - first;
     constexpr std::int64_t leaf = EnvelopeBlock::leaf;
+    constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     for (int i = 0; i < count; ++i) {
         const std::int64_t from = first + length * i / count;
         const std::int64_t to = std::max(first + length * (i + 1) / count, from + 1);
-        result.push_back(marked(between(from / leaf, (to + leaf - 1) / leaf)));
+        EnvelopeBucket& bucket = result.emplace_back(between(from / leaf, (to + leaf - 1) / leaf));
+        for (ChannelRange* const range : {&bucket.c, &bucket.d}) {
+            if (range->min > range->max) {
+                *range = {nothing, nothing};
+            }
+        }
     }
     return result;
 }

@@ -390,13 +390,6 @@ private:
     bool single_ = true;
 };
 
-// About the time from row to row: of the first ones, where rounding does not make them equal.
-double step_of(std::span<const double> first_times_s, double mean_step_s,
-               const TimeResolution& resolution) {
-    const double step_s = typical_step(first_times_s, resolution);
-    return step_s > 0 ? step_s : mean_step_s;
-}
-
 // A file of which only samples and rate are not found yet.
 class VariableOpening {
 public:
@@ -455,7 +448,9 @@ public:
         StoredDigits digits;
         digits.add(block, unit_s);
         const TimeResolution expected = digits.resolution(unit_s);
-        UniformTimeDetector detector(step_of(block, mean_step_s, expected), expected);
+        // Of the first rows, where rounding does not make their times equal.
+        const double first_step_s = typical_step(block, expected);
+        UniformTimeDetector detector(first_step_s > 0 ? first_step_s : mean_step_s, expected);
         bool repeated = false;
         double before = ends[0];
         for (std::int64_t at = 0; at < frames; at += frames_per_request) {
