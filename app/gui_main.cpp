@@ -26,7 +26,6 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -130,27 +129,16 @@ void name_application() {
 }
 
 // While Qt looks for its platform it warns of each one that does not work, and then aborts: of both
-// the program makes one sentence and a status.
-class PlatformSearch {
-public:
-    // `sentence`: of the platform that does not work.
-    explicit PlatformSearch(const char* sentence) {
-        sentence_ = sentence;
-        qInstallMessageHandler(end_with_sentence);
-    }
-    PlatformSearch(const PlatformSearch&) = delete;
-    PlatformSearch& operator=(const PlatformSearch&) = delete;
-    ~PlatformSearch() { qInstallMessageHandler(nullptr); }
-
-private:
-    static void end_with_sentence(QtMsgType type, const QMessageLogContext&, const QString&) {
+// the program makes this sentence and a status, until it takes the handler back.
+void expect_platform(const char* sentence) {
+    static const char* told = nullptr;
+    told = sentence;
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString&) {
         if (type == QtFatalMsg) {
-            std::_Exit(usage(sentence_));
+            std::_Exit(usage(told));
         }
-    }
-
-    static inline const char* sentence_ = nullptr;
-};
+    });
+}
 
 // Without a window, on any platform of Qt.
 int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)>& work) {
@@ -158,9 +146,9 @@ int drawing_mode(int argc, char** argv, const std::function<int(std::stop_token)
     if (!platform_chosen()) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
-    std::optional<PlatformSearch> search(std::in_place, no_platform);
+    expect_platform(no_platform);
     QApplication application(argc, argv);
-    search.reset();
+    qInstallMessageHandler(nullptr);
     name_application();
     ui::Language language;
     language.use(ui::Language::ofTheSystem());
@@ -186,9 +174,9 @@ int report_mode(int argc, char** argv, const GuiRequest& request) {
 }
 
 int window_mode(int argc, char** argv, const GuiRequest& request) {
-    std::optional<PlatformSearch> search(std::in_place, no_display);
+    expect_platform(no_display);
     QApplication application(argc, argv);
-    search.reset();
+    qInstallMessageHandler(nullptr);
     name_application();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/io.github.vybeg.Vybeg.svg")));
     ui::Document document;

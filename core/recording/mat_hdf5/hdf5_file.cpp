@@ -299,8 +299,7 @@ public:
 
 private:
     Error too_many_objects() const {
-        return too_many_parts("", catalogue_.format,
-                              VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
+        return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
     }
 
     // The attributes around a group hold for what is in it.
@@ -467,6 +466,10 @@ private:
         std::string name = path.substr(1);
         std::replace(name.begin(), name.end(), '/', '.');
         return name;
+    }
+
+    Error limit(const char* text, std::size_t most) const {
+        return too_many_parts("", catalogue_.format, text, most);
     }
 
     Error damaged(const char* text, std::vector<MessageArg> args = {}) const {
