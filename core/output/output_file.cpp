@@ -56,6 +56,30 @@ std::pair<std::filesystem::path, std::filesystem::path> link_to_nowhere(
     return {};
 }
 
+// The file that a path leads to, also where it does not exist yet: without links, of which one, to
+// a file or a folder, may lead nowhere. `failed`: why this cannot be told.
+std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
+    constexpr int most_links = 40;  // as the system follows
+    std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);
+    for (int links = 0; !failed; ++links) {
+        const auto [link, rest] = link_to_nowhere(end);
+        if (link.empty()) {
+            break;
+        }
+        if (links == most_links) {
+            failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+            break;
+        }
+        const std::filesystem::path target = link.parent_path() / read_symlink(link, failed);
+        end = weakly_canonical(rest.empty() ? target : target / rest, failed);
+    }
+    // That there is no file at the end is no failure.
+    if (failed == std::errc::no_such_file_or_directory) {
+        failed.clear();
+    }
+    return end;
+}
+
 constexpr std::string_view prefix = ".vybeg-";
 constexpr std::string_view ending = ".part";
 
@@ -121,28 +145,6 @@ Error failure_of(const std::string& name, int error) {
 }
 
 }  // namespace
-
-std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
-    constexpr int most_links = 40;  // as the system follows
-    std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);
-    for (int links = 0; !failed; ++links) {
-        const auto [link, rest] = link_to_nowhere(end);
-        if (link.empty()) {
-            break;
-        }
-        if (links == most_links) {
-            failed = std::make_error_code(std::errc::too_many_symbolic_link_levels);
-            break;
-        }
-        const std::filesystem::path target = link.parent_path() / read_symlink(link, failed);
-        end = weakly_canonical(rest.empty() ? target : target / rest, failed);
-    }
-    // That there is no file at the end is no failure.
-    if (failed == std::errc::no_such_file_or_directory) {
-        failed.clear();
-    }
-    return end;
-}
 
 std::optional<FilePlace> place_of(const std::filesystem::path& path) {
     std::error_code failed;

@@ -15,16 +15,11 @@
 #include <string>
 #include <string_view>
 #include <sys/types.h>
-#include <system_error>
 #include <vector>
 
 namespace vybeg {
 
 struct OpenOptions;
-
-// The file that a path leads to, also where it does not exist yet: without links, of which one, to
-// a file or a folder, may lead nowhere. `failed`: why this cannot be told.
-std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed);
 
 // The place of a file at the end of links, whether the file exists or not: the last folder of its
 // path that exists, by device and inode, and the rest of the path.

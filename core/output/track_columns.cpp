@@ -161,8 +161,13 @@ Status TrackSpool::whole_rows(std::size_t at_once, const TrackSink& sink) const 
     for (std::size_t k = 0; k < blocks_.size();) {
         Track track;
         do {
-            Track rows(blocks_[k].rows);
-            TRY(read_block(blocks_[k++], rows));
+            const Block& block = blocks_[k++];
+            Track rows(block.rows);
+            for (std::size_t column = 0; column < track_number_columns; ++column) {
+                TRY(read(block.place_of(column),
+                         std::as_writable_bytes(track_column(rows, column))));
+            }
+            TRY(read_flags(block, rows.flags()));
             track.append(rows);
         } while (k < blocks_.size() && track.rows() + blocks_[k].rows <= at_once);
         TRY(sink(track));
@@ -174,13 +179,6 @@ Status TrackSpool::read_flags(const Block& block, std::span<Flags> flags) const 
     const Status done = read(block.place_of(track_number_columns), std::as_writable_bytes(flags));
     set_flags(flags, block.first, flagged_);
     return done;
-}
-
-Status TrackSpool::read_block(const Block& block, Track& rows) const {
-    for (std::size_t column = 0; column < track_number_columns; ++column) {
-        TRY(read(block.place_of(column), std::as_writable_bytes(track_column(rows, column))));
-    }
-    return read_flags(block, rows.flags());
 }
 
 }  // namespace vybeg

@@ -98,7 +98,6 @@ private:
     Status read(std::int64_t from, std::span<std::byte> to) const;
     Error failed(int error) const { return output_.failure(system_reason(error)); }
     Status read_flags(const Block& block, std::span<Flags> flags) const;
-    Status read_block(const Block& block, Track& rows) const;
 
     const OutputFile& output_;
     JobControl job_;

@@ -328,22 +328,17 @@ Status TdmsFile::take_metadata(std::int64_t offset, std::int64_t size, bool big_
         chunk_.clear();
     }
     const auto objects = metadata.number<std::uint32_t>();
-    for (std::uint32_t i = 0; i < objects; ++i) {
-        TRY(take_object(metadata));
+    for (std::uint32_t i = 0; i < objects && !metadata.ended(); ++i) {
+        const std::string path = metadata.string();
+        if (!metadata.ended()) {
+            const auto object = TRY(object_named(path));
+            TRY(list_raw_index(metadata, object));
+            TRY(take_properties(metadata, objects_[object]));
+        }
     }
     return metadata.ended()
                ? file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"))
                : Status{};
-}
-
-Status TdmsFile::take_object(TdmsMetadata& metadata) {
-    const std::string path = metadata.string();
-    if (metadata.ended()) {
-        return file_->damaged("TDMS", VYBEG_MESSAGE("Words", "its metadata end too early"));
-    }
-    const auto object = TRY(object_named(path));
-    TRY(list_raw_index(metadata, object));
-    return take_properties(metadata, objects_[object]);
 }
 
 Result<std::size_t> TdmsFile::object_named(const std::string& path) {

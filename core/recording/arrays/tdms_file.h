@@ -94,7 +94,6 @@ public:
 
 private:
     Status take_metadata(std::int64_t offset, std::int64_t size, bool big_endian, bool new_list);
-    Status take_object(TdmsMetadata& metadata);
     Status list_raw_index(TdmsMetadata& metadata, std::size_t object);
     Result<TdmsRawIndex> raw_index(TdmsMetadata& metadata, std::uint32_t length) const;
     Status take_properties(TdmsMetadata& metadata, TdmsObject& object);

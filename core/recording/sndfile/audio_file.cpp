@@ -122,36 +122,30 @@ private:
         return first_ + static_cast<std::int64_t>(block_.size()) / info_.channels;
     }
 
-    // All channels, and keeps them: what is decoded for C serves D.
+    // All channels, and keeps them: what is decoded for C serves D. Errors: format_damaged, if one
+    // of the frames cannot be decoded; libsndfile is of no use afterwards.
     Status decode(std::int64_t first, std::int64_t frames) {
         const std::int64_t channels = info_.channels;
         frames = std::min(frames, std::max<std::int64_t>(block_samples / channels, 1));
         first_ = first;
         block_.resize(static_cast<std::size_t>(frames * channels));
-        const Status status = decode_block(frames);
-        if (!status) {
+        const auto failed = [this](const char* text, std::int64_t frame) {
             block_.clear();
-        }
-        return status;
-    }
-
-    // Errors: format_damaged, if one of the frames cannot be decoded; libsndfile is of no use
-    // afterwards.
-    Status decode_block(std::int64_t frames) {
+            return damaged(text, {count_arg(frame)});
+        };
         if (position_ != first_ && sf_seek(handle_, first_, SEEK_SET) != first_) {
-            return damaged(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"),
-                           {count_arg(first_)});
+            return failed(VYBEG_MESSAGE("Words", "no sample can be reached at frame %1"), first_);
         }
         const std::int64_t got = sf_readf_double(handle_, block_.data(), frames);
         // libFLAC 1.4 stops before a block with a wrong checksum; earlier versions fill it with
         // zeros, which only sf_error reveals.
         if (sf_error(handle_) != SF_ERR_NO_ERROR) {
-            return damaged(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
-                           {count_arg(first_ + std::max<std::int64_t>(got, 0))});
+            return failed(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
+                          first_ + std::max<std::int64_t>(got, 0));
         }
         if (got != frames) {
-            return damaged(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
-                           {count_arg(first_ + std::max<std::int64_t>(got, 0))});
+            return failed(VYBEG_MESSAGE("Words", "the samples end at frame %1"),
+                          first_ + std::max<std::int64_t>(got, 0));
         }
         position_ = first_ + frames;
         return {};

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,14 +23,28 @@ constexpr std::array<NumberType, 6> types_by_precision{NumberType::f64, NumberTy
                                                        NumberType::i32, NumberType::i16,
                                                        NumberType::u16, NumberType::u8};
 
+// The header that stands before every variable of a MAT file of level 4.
+struct Mat4Header {
+    std::int64_t rows = 0;
+    std::int64_t columns = 0;
+    std::int64_t name_bytes = 0;  // with the zero at its end
+    std::int64_t data_bytes = 0;
+    NumberType type = NumberType::f64;  // as the numbers are stored
+    bool big_endian = false;
+    bool is_complex = false;
+    bool is_full = false;  // an array of numbers; else a text or a sparse matrix
+};
+
+constexpr int mat4_header_bytes = 20;
+
 bool is_name(std::string_view name) {
     return !name.empty() && is_letter(name.front()) &&
            std::all_of(name.begin(), name.end(),
                        [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
 }
 
-}  // namespace
-
+// Nothing where the bytes are fewer or cannot be such a header: level 4 has no signature, and most
+// combinations of its five numbers are impossible.
 std::optional<Mat4Header> mat4_header(std::string_view bytes) {
     if (bytes.size() < mat4_header_bytes) {
         return {};
@@ -60,6 +75,8 @@ std::optional<Mat4Header> mat4_header(std::string_view bytes) {
                       number,       big_endian,
                       complex == 1, type % 10 == 0};
 }
+
+}  // namespace
 
 bool is_mat4(std::string_view head, std::int64_t size) {
     const auto header = mat4_header(head);

@@ -4,36 +4,16 @@
 #include "core/base/result.h"
 #include "core/recording/arrays/npy_reader.h"
 #include "core/recording/bytes/file_bytes.h"
-#include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 // MAT files of level 4 and 5, as MathWorks, "MAT-File Format", describes them.
 namespace vybeg {
-
-// The header that stands before every variable of a MAT file of level 4.
-struct Mat4Header {
-    std::int64_t rows = 0;
-    std::int64_t columns = 0;
-    std::int64_t name_bytes = 0;  // with the zero at its end
-    std::int64_t data_bytes = 0;
-    NumberType type = NumberType::f64;  // as the numbers are stored
-    bool big_endian = false;
-    bool is_complex = false;
-    bool is_full = false;  // an array of numbers; else a text or a sparse matrix
-};
-
-inline constexpr int mat4_header_bytes = 20;
-
-// Nothing where the bytes are fewer or cannot be such a header: level 4 has no signature, and most
-// combinations of its five numbers are impossible.
-std::optional<Mat4Header> mat4_header(std::string_view bytes);
 
 // Whether a file of `size` bytes that begins with `head` is one of level 4: a possible header, a
 // name that is one, and an array that the file has room for, at least a part of it.
