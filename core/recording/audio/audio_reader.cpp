@@ -467,7 +467,7 @@ Result<std::int64_t> count_frames(const VariableReader& reader, std::int64_t pro
 Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
                                const std::string& container, const AudioExtent& header,
                                const OpenOptions& options, const JobControl& job) {
-    const auto library = TRY(open_library(file, "audio", container, /*seeks=*/true));
+    const auto library = TRY(open_library(file, "audio", container));
     const Catalogue& catalogue = library->catalogue();
     if (catalogue.variables.size() != 1) {
         return file->damaged(container, VYBEG_MESSAGE("Words", "its library returned nonsense"));

@@ -279,7 +279,10 @@ void PhaseStepCheck::add(std::int64_t first_frame, std::span<const double> c,
                          std::span<const double> d) {
     if (first_frame != first_frame_ + static_cast<std::int64_t>(c_.size())) {
         evaluate(true);
-        forget_all();
+        c_.clear();
+        d_.clear();
+        blocks_.clear();
+        first_block_ = 0;
         first_frame_ = first_frame;
     }
     for (std::size_t at = 0; at < c.size();) {
@@ -464,16 +467,8 @@ void PhaseStepCheck::judge(const std::vector<Suspect>& suspects, std::size_t sus
     }
 }
 
-void PhaseStepCheck::forget_all() {
-    c_.clear();
-    d_.clear();
-    blocks_.clear();
-    first_block_ = 0;
-}
-
 std::vector<PhaseStep> PhaseStepCheck::finish() {
     evaluate(true);
-    forget_all();
     return std::move(found_);
 }
 

@@ -110,7 +110,6 @@ private:
     std::vector<Suspect> unforeseen_blocks() const;
     static void draw_together(std::vector<Suspect>& suspects);
     void judge(const std::vector<Suspect>& suspects, std::size_t suspect);
-    void forget_all();
 
     double w_;  // carrier, radians per sample
     std::size_t block_frames_;

@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace vybeg {
+
 std::shared_ptr<const SampleSource> calibrated(std::shared_ptr<const SampleSource> source,
                                                const Calibration& calibration, double rate_hz) {
     if (calibration.delay_d_s != 0) {
@@ -51,10 +52,6 @@ namespace {
 // A band-pass is the difference of two low-passes, whose ripples may add: 87 dB each (4.5e-5) keep
 // their sum within 1e-4 and 80 dB.
 constexpr double attenuation_db = 87;
-
-bool possible(double low_hz, double high_hz, double rate_hz) {
-    return 0 < low_hz && low_hz < high_hz && high_hz < rate_hz / 2;
-}
 
 // From an edge of the band to where the stopband begins, Hz. One width serves both sides: the
 // narrower one decides about the length anyway.
@@ -195,7 +192,7 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
                                                         double low_hz, double high_hz,
                                                         double rate_hz,
                                                         std::optional<double> unit_hz) {
-    if (!possible(low_hz, high_hz, rate_hz)) {
+    if (!(0 < low_hz && low_hz < high_hz && high_hz < rate_hz / 2)) {
         return Error{.code = ErrorCode::band_invalid,
                      .where = "",
                      .args = {number_arg(low_hz), number_arg(high_hz), number_arg(rate_hz / 2)}};

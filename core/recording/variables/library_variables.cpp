@@ -310,11 +310,10 @@ class HelperVariables final : public VariableReader,
                               public std::enable_shared_from_this<HelperVariables> {
 public:
     HelperVariables(std::shared_ptr<const FileBytes> file, std::string kind, std::string format,
-                    bool seeks, std::unique_ptr<ReaderProcess> process)
+                    std::unique_ptr<ReaderProcess> process)
         : file_(std::move(file)),
           kind_(std::move(kind)),
           format_(std::move(format)),
-          seeks_(seeks),
           catalogue_(process->catalogue()),
           process_(std::move(process)) {}
 
@@ -344,11 +343,12 @@ public:
         return {};
     }
 
-    // In turn, so that what the library has decoded for C serves D.
+    // In turn, so that what the library has decoded for C serves D. A packed variable is unpacked
+    // from its start: of an audio file alone any frame is reached at once.
     Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
                                                        std::int64_t frames) const override {
         return source_of(
-            frames, seeks_,
+            frames, kind_ == "audio",
             [self = shared_from_this(), c, d](std::int64_t first, std::span<double> out_c,
                                               std::span<double> out_d) -> Status {
                 for (std::size_t done = 0; done < out_c.size(); done += frames_per_request) {
@@ -366,7 +366,6 @@ private:
     std::shared_ptr<const FileBytes> file_;
     std::string kind_;
     std::string format_;
-    bool seeks_;
     Catalogue catalogue_;
     Guarded<std::unique_ptr<ReaderProcess>> process_;
 };
@@ -375,10 +374,10 @@ private:
 
 Result<std::shared_ptr<const VariableReader>> open_library(
     const std::shared_ptr<const FileBytes>& file, const std::string& kind,
-    const std::string& format, bool seeks) {
+    const std::string& format) {
     auto process = TRY(ReaderProcess::start(file, kind, format));
     return std::shared_ptr<const VariableReader>(
-        std::make_shared<HelperVariables>(file, kind, format, seeks, std::move(process)));
+        std::make_shared<HelperVariables>(file, kind, format, std::move(process)));
 }
 
 bool is_hdf5(std::string_view head, const FileBytes& file) {
@@ -399,8 +398,8 @@ Result<Recording> open_hdf5(std::shared_ptr<const FileBytes> file, const OpenOpt
                             const JobControl& job) {
     const auto head = TRY(file->text(0, std::ssize(matlab_signature)));
     const bool matlab = head == matlab_signature;
-    const auto library = TRY(open_library(file, matlab ? "mat73" : "hdf5",
-                                          matlab ? "MAT 7.3" : "HDF5", /*seeks=*/false));
+    const auto library =
+        TRY(open_library(file, matlab ? "mat73" : "hdf5", matlab ? "MAT 7.3" : "HDF5"));
     return open_variables(*file, *library, options, job);
 }
 

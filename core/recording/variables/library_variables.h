@@ -71,12 +71,11 @@ private:
 };
 
 // The variables of a file that vybeg-reader reads. Starts a helper as ReaderProcess::start() does;
-// `seeks`: as SampleSource::seeks(), of a packed variable false, which is unpacked from its start.
-// A helper that died or was given up is replaced at the next read: a damaged segment does not cost
-// the rest of the recording. Errors: those of ReaderProcess.
+// one that died or was given up is replaced at the next read: a damaged segment does not cost the
+// rest of the recording. Errors: those of ReaderProcess.
 Result<std::shared_ptr<const VariableReader>> open_library(
     const std::shared_ptr<const FileBytes>& file, const std::string& kind,
-    const std::string& format, bool seeks);
+    const std::string& format);
 
 // Whether a file with these first bytes is of HDF5, as MATLAB's are from level 7.3 on. The
 // signature may also stand at 512, 1024, 2048, ...
