@@ -107,74 +107,6 @@ Status write_log_track(const AnalyzeRequest& request, TrackFormat format, Output
     return {};
 }
 
-// Writes the events of a batch into the log.
-class BatchLog {
-public:
-    // `print`: rows go to standard output as they come.
-    BatchLog(Log& log, bool print) : log_(log), print_(print) {}
-
-    BatchEvents events() {
-        return {[this](const auto& warnings) { log_.warnings(warnings); },
-                [this](const auto& list) { begin(list); }, [this](const auto& row) { add(row); },
-                seconds_now, [this](const auto& error) { log_.fail(error); }};
-    }
-
-    void tell_timing(double batch_s, int jobs) const {
-        log_.timing({{"read_s", spent_.read_s},
-                     {"carrier_s", spent_.carrier_s},
-                     {"estimate_s", spent_.estimate_s},
-                     {"fit_s", spent_.fit_s},
-                     {"write_s", write_s_},
-                     {"batch_s", batch_s},
-                     {"sets", computed_},
-                     {"windows", windows_},
-                     {"threads", spent_.threads},
-                     {"jobs", jobs}});
-    }
-
-private:
-    void begin(const MeasurementList& list) {
-        names_.clear();
-        done_ = 0;
-        for (const MeasurementSet& set : list.sets) {
-            names_.push_back(set.name);
-        }
-    }
-    void add(const FinishedRow& row) {
-        ++done_;
-        if (row.kept) {
-            return;
-        }
-        ++computed_;
-        if (print_) {
-            std::fputs((csv_row(row.fields) + "\n").c_str(), stdout);
-            std::fflush(stdout);
-        }
-        spent_.read_s += row.timing.read_s;
-        spent_.carrier_s += row.timing.carrier_s;
-        spent_.estimate_s += row.timing.estimate_s;
-        spent_.fit_s += row.timing.fit_s;
-        spent_.threads = row.timing.threads;
-        write_s_ += row.write_s;
-        windows_ += row.windows;
-        const std::string& name = names_[row.set];
-        log_.warnings(row.warnings, name);
-        if (row.error) {
-            log_.fail(*row.error, name);
-        }
-        log_.progress(static_cast<double>(done_) / static_cast<double>(names_.size()));
-    }
-
-    Log& log_;
-    bool print_;
-    std::vector<std::string> names_;  // of the sets
-    std::size_t done_ = 0;
-    std::size_t computed_ = 0;
-    IdentifyTiming spent_;  // summed over the sets that were computed
-    double write_s_ = 0;
-    std::int64_t windows_ = 0;
-};
-
 }  // namespace
 
 Status run_info(const InfoRequest& request, Log& log, std::stop_token stop) {
@@ -249,13 +181,60 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
 }
 
 Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
-    BatchLog told(log, request.watch);
     const double begun = seconds_now();
-    const Status done = compute_batch(request, told.events(), std::move(stop));
-    if (done) {
-        told.tell_timing(seconds_now() - begun, request.jobs);
+    std::vector<std::string> names;  // of the sets
+    std::size_t done = 0;
+    std::size_t computed = 0;
+    IdentifyTiming spent;  // summed over the sets that were computed
+    double write_s = 0;
+    std::int64_t windows = 0;
+    const auto begin = [&](const MeasurementList& list) {
+        names.clear();
+        done = 0;
+        for (const MeasurementSet& set : list.sets) {
+            names.push_back(set.name);
+        }
+    };
+    const auto add = [&](const FinishedRow& row) {
+        ++done;
+        if (row.kept) {
+            return;
+        }
+        ++computed;
+        if (request.watch) {  // rows go to standard output as they come
+            std::fputs((csv_row(row.fields) + "\n").c_str(), stdout);
+            std::fflush(stdout);
+        }
+        spent.read_s += row.timing.read_s;
+        spent.carrier_s += row.timing.carrier_s;
+        spent.estimate_s += row.timing.estimate_s;
+        spent.fit_s += row.timing.fit_s;
+        spent.threads = row.timing.threads;
+        write_s += row.write_s;
+        windows += row.windows;
+        const std::string& name = names[row.set];
+        log.warnings(row.warnings, name);
+        if (row.error) {
+            log.fail(*row.error, name);
+        }
+        log.progress(static_cast<double>(done) / static_cast<double>(names.size()));
+    };
+    const BatchEvents events{[&](const auto& warnings) { log.warnings(warnings); }, begin, add,
+                             seconds_now, [&](const auto& error) { log.fail(error); }};
+    const Status finished = compute_batch(request, events, std::move(stop));
+    if (finished) {
+        log.timing({{"read_s", spent.read_s},
+                    {"carrier_s", spent.carrier_s},
+                    {"estimate_s", spent.estimate_s},
+                    {"fit_s", spent.fit_s},
+                    {"write_s", write_s},
+                    {"batch_s", seconds_now() - begun},
+                    {"sets", computed},
+                    {"windows", windows},
+                    {"threads", spent.threads},
+                    {"jobs", request.jobs}});
     }
-    return done;
+    return finished;
 }
 
 }  // namespace vybeg::cli

@@ -321,32 +321,14 @@ char* write_row(char* to, const Columns& columns, Flags flags, std::size_t row) 
     return to;
 }
 
-// Text of some rows, in memory that is allocated once and never cleared.
-class RowsText {
-public:
-    std::string_view write(const Track& track, std::size_t first, std::size_t end) {
-        if (!room_) {
-            room_.reset(new char[rows_per_block * longest_row]);
-        }
-        const Columns columns = columns_of(track);
-        char* to = room_.get();
-        for (std::size_t row = first; row < end; ++row) {
-            to = write_row(to, columns, track.flags()[row], row);
-        }
-        return {room_.get(), static_cast<std::size_t>(to - room_.get())};
-    }
-
-private:
-    std::unique_ptr<char[]> room_;
-};
-
 // Passes the rows to write(text, rows so far), some at a time. All threads convert digits, because
 // these take most of the time of a track.
 template <class Write>
 Status write_rows(const Track& track, Write write) {
     const std::size_t blocks = (track.rows() + rows_per_block - 1) / rows_per_block;
     const std::size_t at_once = std::min(blocks, blocks_at_once);
-    std::vector<RowsText> texts(at_once);
+    const Columns columns = columns_of(track);
+    std::vector<std::unique_ptr<char[]>> rooms(at_once);  // allocated once and never cleared
     std::vector<std::string_view> written(at_once);
     const auto end_of = [&](std::size_t block) {
         return std::min((block + 1) * rows_per_block, track.rows());
@@ -356,7 +338,15 @@ Status write_rows(const Track& track, Write write) {
         // Isolated: a thread that waits here must not begin to estimate or to read.
         tbb::this_task_arena::isolate([&] {
             tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-                written[k] = texts[k].write(track, (first + k) * rows_per_block, end_of(first + k));
+                if (!rooms[k]) {
+                    rooms[k].reset(new char[rows_per_block * longest_row]);
+                }
+                char* to = rooms[k].get();
+                for (std::size_t row = (first + k) * rows_per_block; row < end_of(first + k);
+                     ++row) {
+                    to = write_row(to, columns, track.flags()[row], row);
+                }
+                written[k] = {rooms[k].get(), static_cast<std::size_t>(to - rooms[k].get())};
             });
         });
         for (std::size_t k = 0; k < count; ++k) {
