@@ -26,53 +26,41 @@ constexpr int above_the_readers_descriptors = 10;
 constexpr int slice_ms = 50;
 constexpr int idle_slices = 400;  // 20 s
 
-// How the helper is started: its descriptors, no other; an empty environment; signals as in a fresh
+// Starts the helper with its descriptors, no other; an empty environment; signals as in a fresh
 // program; in a process group of its own, so that Ctrl-C in a terminal reaches only the program.
-class SpawnPlan {
-public:
-    SpawnPlan(int socket, int file) {
-        ::posix_spawn_file_actions_init(&actions_);
-        ::posix_spawn_file_actions_adddup2(&actions_, socket, reader_socket);
-        ::posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-        ::posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        ::posix_spawn_file_actions_adddup2(&actions_, file, reader_file);
-        ::posix_spawn_file_actions_addclosefrom_np(&actions_, reader_file + 1);
-        ::posix_spawnattr_init(&attributes_);
-        sigset_t signals;
-        sigemptyset(&signals);
-        ::posix_spawnattr_setsigmask(&attributes_, &signals);
-        sigfillset(&signals);
-        ::posix_spawnattr_setsigdefault(&attributes_, &signals);
-        ::posix_spawnattr_setpgroup(&attributes_, 0);
-        ::posix_spawnattr_setflags(
-            &attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-    }
-    SpawnPlan(const SpawnPlan&) = delete;
-    SpawnPlan& operator=(const SpawnPlan&) = delete;
-    ~SpawnPlan() {
-        ::posix_spawn_file_actions_destroy(&actions_);
-        ::posix_spawnattr_destroy(&attributes_);
-    }
-
-    // 0, or the error's number.
-    int run(const std::string& program, const std::string& kind, pid_t& id) const {
-        std::string name = program;
-        std::string argument = kind;
-        std::array<char*, 3> arguments{name.data(), argument.data(), nullptr};
+// Returns 0, or the error's number.
+int start_helper(const std::string& program, std::string kind, int socket, int file, pid_t& id) {
+    std::string name = program;
+    std::array<char*, 3> arguments{name.data(), kind.data(), nullptr};
 #ifdef __SANITIZE_ADDRESS__  // its options come from there
-        char** const environment = environ;
+    char** const environment = environ;
 #else
-        std::array<char*, 1> none{nullptr};
-        char** const environment = none.data();
+    std::array<char*, 1> none{nullptr};
+    char** const environment = none.data();
 #endif
-        return ::posix_spawn(&id, program.c_str(), &actions_, &attributes_, arguments.data(),
-                             environment);
-    }
-
-private:
-    posix_spawn_file_actions_t actions_;
-    posix_spawnattr_t attributes_;
-};
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, socket, reader_socket);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, file, reader_file);
+    ::posix_spawn_file_actions_addclosefrom_np(&actions, reader_file + 1);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    sigset_t signals;
+    sigemptyset(&signals);
+    ::posix_spawnattr_setsigmask(&attributes, &signals);
+    sigfillset(&signals);
+    ::posix_spawnattr_setsigdefault(&attributes, &signals);
+    ::posix_spawnattr_setpgroup(&attributes, 0);
+    ::posix_spawnattr_setflags(
+        &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    const int number =
+        ::posix_spawn(&id, program.c_str(), &actions, &attributes, arguments.data(), environment);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawnattr_destroy(&attributes);
+    return number;
+}
 
 // Beside the running program where that was built; apart from users' programs where it is
 // installed.
@@ -114,7 +102,7 @@ Result<Started> spawn(const FileBytes& file, const std::string& kind, const std:
         return no_helper(file, program, errno);
     }
     pid_t id = 0;
-    const int number = SpawnPlan(socket.get(), lent.get()).run(program, kind, id);
+    const int number = start_helper(program, kind, socket.get(), lent.get(), id);
     if (number != 0) {
         return no_helper(file, program, number);
     }

@@ -369,27 +369,6 @@ struct TimeSteps {
 
 constexpr double longest_step_s = 1;
 
-// What the times may have been rounded to before they were stored.
-class StoredDigits {
-public:
-    void add(std::span<const double> times_s, double unit_s) {
-        for (const double time_s : times_s) {
-            const double time = time_s / unit_s;
-            // But for the rounding of the unit.
-            whole_ = whole_ && std::abs(time - std::round(time)) <= 1e-15 * std::abs(time);
-            single_ = single_ && is_single(time, 0);
-        }
-    }
-
-    TimeResolution resolution(double unit_s) const {
-        return {.absolute_s = whole_ ? unit_s : 0, .single_unit_s = single_ ? unit_s : 0};
-    }
-
-private:
-    bool whole_ = true;
-    bool single_ = true;
-};
-
 // A file of which only samples and rate are not found yet.
 class VariableOpening {
 public:
@@ -445,9 +424,22 @@ public:
         if (!(mean_step_s > 0 && mean_step_s < longest_step_s)) {
             return steps;
         }
-        StoredDigits digits;
-        digits.add(block, unit_s);
-        const TimeResolution expected = digits.resolution(unit_s);
+        // What the times may have been rounded to before they were stored.
+        bool whole = true;
+        bool single = true;
+        const auto see_digits = [&](std::span<const double> times_s) {
+            for (const double time_s : times_s) {
+                const double time = time_s / unit_s;
+                // But for the rounding of the unit.
+                whole = whole && std::abs(time - std::round(time)) <= 1e-15 * std::abs(time);
+                single = single && is_single(time, 0);
+            }
+        };
+        const auto resolution = [&]() -> TimeResolution {
+            return {.absolute_s = whole ? unit_s : 0, .single_unit_s = single ? unit_s : 0};
+        };
+        see_digits(block);
+        const TimeResolution expected = resolution();
         // Of the first rows, where rounding does not make their times equal.
         const double first_step_s = typical_step(block, expected);
         UniformTimeDetector detector(first_step_s > 0 ? first_step_s : mean_step_s, expected);
@@ -458,7 +450,7 @@ public:
             const std::span<double> times(
                 block.data(), static_cast<std::size_t>(std::min(frames_per_request, frames - at)));
             TRY(read_times(*choice_.time, at, times));
-            digits.add(times, unit_s);
+            see_digits(times);
             for (std::size_t i = 0; i < times.size(); ++i) {
                 if (!(times[i] >= before)) {
                     return steps;
@@ -470,7 +462,7 @@ public:
             }
             job.report(static_cast<double>(at) / static_cast<double>(frames));
         }
-        steps.resolution = digits.resolution(unit_s);
+        steps.resolution = resolution();
         steps.even = detector.judge({});
         if (!steps.even) {
             steps.even = detector.judge(steps.resolution);
