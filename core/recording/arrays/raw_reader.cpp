@@ -16,13 +16,17 @@
 
 namespace vybeg {
 
-Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
+NumberType number_type(RawType type) {
     // In the order of RawType.
     constexpr std::array types{NumberType::i16, NumberType::i32, NumberType::f32, NumberType::f64};
+    return types.at(static_cast<std::size_t>(type));
+}
+
+Result<Recording> open_raw(std::shared_ptr<const FileBytes> file, const OpenOptions& options) {
     const RawLayout& layout = *options.raw;
     TRY(check_layout(layout));
     TRY(check_channels(*file, layout.channels, options));
-    const NumberType type = types.at(static_cast<std::size_t>(layout.type));
+    const NumberType type = number_type(layout.type);
     FoundSamples found;
     found.format = {FormatPart::words(VYBEG_MESSAGE("Format", "raw")),
                     FormatPart::words(name_of(type)), byte_order_part(layout.big_endian),

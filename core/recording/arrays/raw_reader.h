@@ -3,6 +3,7 @@
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/bytes/file_bytes.h"
+#include "core/recording/bytes/number_type.h"
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 
@@ -12,6 +13,9 @@
 #include <string_view>
 
 namespace vybeg {
+
+// Number type of the samples of a layout.
+NumberType number_type(RawType type);
 
 // Headerless interleaved samples by options.raw, read on demand; one count is `scale` recording
 // units. Bytes after the last whole frame are ignored. Precondition: options.raw is set. Errors:
