@@ -1,16 +1,13 @@
 #include "app/cli_commands.h"
 
-#include "app/cli_support.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
-#include "core/analysis/identify.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
-#include "core/batch/batch_request.h"
 #include "core/batch/identify_set.h"
 #include "core/output/identify_json.h"
 #include "core/output/output_file.h"
@@ -25,9 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace vybeg::cli {
 namespace {

@@ -1,7 +1,5 @@
 #include "app/cli_support.h"
 
-#include "core/base/diagnostic.h"
-#include "core/base/error.h"
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"
 #include "core/output/quantity_text.h"

@@ -3,15 +3,12 @@
 #include "core/analysis/list_fields.h"
 #include "core/base/error.h"
 #include "core/base/plain_text.h"
-#include "core/base/read_value.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 namespace vybeg::cli {
 namespace {

@@ -4,28 +4,22 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
-#include "core/analysis/identify_settings.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/setting_table.h"
-#include "core/analysis/settings.h"
-#include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/base/read_value.h"
-#include "core/base/result.h"
 #include "core/base/setting_rows.h"
 #include "core/batch/batch_sets.h"
 #include "core/batch/identify_set.h"
 #include "core/output/output_file.h"
 #include "core/recording/open/open_recording.h"
-#include "core/recording/samples/open_options.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
-#include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/session/session_keeper.h"
@@ -43,10 +37,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
-#include <stop_token>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace vybeg::cli {
 

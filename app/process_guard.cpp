@@ -13,7 +13,6 @@
 #include <pthread.h>
 #include <string_view>
 #include <sys/resource.h>
-#include <thread>
 #include <unistd.h>
 
 namespace vybeg::cli {

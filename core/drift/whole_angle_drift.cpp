@@ -1,8 +1,6 @@
 #include "core/drift/whole_angle_drift.h"
 
 #include "core/base/plain_text.h"
-#include "core/drift/held_resonator.h"
-#include "core/drift/log_drift.h"
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/statistics.h"

@@ -9,13 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

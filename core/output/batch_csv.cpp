@@ -1,13 +1,10 @@
 #include "core/output/batch_csv.h"
 
-#include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
-#include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/recording/samples/text_fields.h"
 #include "core/recording/text/csv_rows.h"
-#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <array>

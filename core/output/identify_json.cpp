@@ -2,7 +2,6 @@
 
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/setting_table.h"
-#include "core/base/diagnostic.h"
 #include "core/base/number_text.h"
 #include "core/output/quantity_json.h"
 #include "core/resonator/results/resonator_parameters.h"

@@ -1,7 +1,6 @@
 #include "core/output/output_file.h"
 
 #include "core/base/error.h"
-#include "core/base/message_arg.h"
 #include "core/base/number_text.h"
 #include "core/base/read_value.h"
 #include "core/recording/samples/open_table.h"
@@ -14,7 +13,6 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <fstream>
-#include <optional>
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -22,7 +20,6 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 namespace {

@@ -1,7 +1,5 @@
 #include "core/output/quantity_json.h"
 
-#include "core/base/diagnostic.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/output/array_files.h"
-#include "core/output/output_file.h"
 
 #include <sndfile.h>
 

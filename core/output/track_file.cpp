@@ -6,7 +6,6 @@
 #include "core/base/plain_text.h"
 #include "core/hdf5/hdf5_layout.h"
 #include "core/output/array_files.h"
-#include "core/output/output_file.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -23,7 +22,6 @@
 #include <mutex>
 #include <string_view>
 #include <system_error>
-#include <vector>
 #include <zlib.h>
 
 namespace vybeg {

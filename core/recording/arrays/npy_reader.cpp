@@ -2,7 +2,6 @@
 
 #include "core/base/message_arg.h"
 #include "core/recording/bytes/number_type.h"
-#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/text_fields.h"
 
@@ -10,7 +9,6 @@
 #include <array>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
 namespace vybeg {

@@ -2,7 +2,6 @@
 
 #include "core/base/number_text.h"
 #include "core/recording/bytes/number_type.h"
-#include "core/recording/samples/column_source.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/variables/library_variables.h"
 
@@ -10,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
 namespace vybeg {

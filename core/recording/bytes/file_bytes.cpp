@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
-#include <utility>
 
 namespace vybeg {
 namespace {

@@ -3,10 +3,6 @@
 #include "core/base/error.h"
 #include "core/base/message_arg.h"
 
-#include <array>
-#include <bit>
-#include <cstdint>
-
 namespace vybeg {
 namespace {
 

@@ -8,12 +8,10 @@
 #include <cerrno>
 #include <deque>
 #include <limits>
-#include <optional>
 #include <span>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <utility>
-#include <vector>
 #include <zlib.h>
 
 namespace vybeg {

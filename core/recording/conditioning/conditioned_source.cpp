@@ -2,16 +2,13 @@
 
 #include "core/numerics/fft.h"
 #include "core/numerics/kaiser.h"
-#include "core/recording/samples/sample_source.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <utility>
-#include <vector>
 
 namespace vybeg {
 

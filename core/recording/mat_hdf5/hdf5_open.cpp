@@ -5,13 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
 #include <span>
 #include <sys/stat.h>
-#include <utility>
 
 namespace vybeg {
 namespace {

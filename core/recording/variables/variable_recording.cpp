@@ -1,17 +1,14 @@
 #include "core/recording/variables/variable_recording.h"
 
 #include "core/recording/samples/reader_rules.h"
-#include "core/recording/samples/sample_source.h"
 #include "core/recording/samples/vocabulary.h"
 #include "core/recording/times/time_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
