@@ -77,118 +77,96 @@ Eigen::VectorXd seen_of(const Eigen::VectorXd& drift, Eigen::Index error) {
 // differently tell them from the drift. Solved for the drift at the mean turn: the turn of a log
 // alone takes nothing from its digits. What they make of the drift itself is alike in all logs, and
 // that of the second harmonic, 3/4 of the gain's error of it, is in no other number.
-class MeanOfLogs {
-public:
-    MeanOfLogs(const std::vector<const LogDrift*>& logs, const ChannelTolerance& channels,
-               Eigen::Index first, Eigen::Index count)
-        : logs_(logs), first_(first), count_(count) {
-        double weights = 0;
-        for (const LogDrift* log : logs) {
-            const double weight = 1 / log->covariance(log_terms - 1, log_terms - 1);
-            mean_ += weight * log->coefficients;
-            weights += weight;
-        }
-        mean_ /= weights;
-        const std::array tolerances{channels.kappa, channels.skew_rad};
-        for (Eigen::Index k = 0; k < 2; ++k) {
-            const double sd = tolerances[static_cast<std::size_t>(k)];
-            if (sd > 0) {
-                errors_.push_back(
-                    {k, 1 / (sd * sd), seen_of(Eigen::VectorXd::Unit(log_terms, 0), k)});
-            }
-        }
+Mean mean_of(const std::vector<const LogDrift*>& logs, const ChannelTolerance& channels,
+             Eigen::Index first, Eigen::Index count) {
+    Eigen::VectorXd centre = Eigen::VectorXd::Zero(log_terms);
+    double weights = 0;
+    for (const LogDrift* log : logs) {
+        const double weight = 1 / log->covariance(log_terms - 1, log_terms - 1);
+        centre += weight * log->coefficients;
+        weights += weight;
     }
-
-    Mean mean() const {
-        const auto size = count_ + static_cast<Eigen::Index>(errors_.size());
-        Eigen::MatrixXd of_noise = Eigen::MatrixXd::Zero(size, size);
-        Eigen::VectorXd moment = Eigen::VectorXd::Zero(size);
-        for (const LogDrift* log : logs_) {
-            const Eigen::MatrixXd terms = terms_of(*log);
-            const Eigen::MatrixXd weighted = terms.transpose() * weight_of(*log);
-            of_noise += weighted * terms;
-            moment += weighted * log->coefficients.segment(first_, count_);
-        }
-        Eigen::MatrixXd information = of_noise;
-        for (std::size_t k = 0; k < errors_.size(); ++k) {
-            const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
-            information(at, at) += errors_[k].weight;
-        }
-        const Eigen::MatrixXd inverse = inverse_of(information);
-        const Eigen::VectorXd solved = inverse * moment;
-        Mean mean;
-        double squares = 0;
-        for (std::size_t k = 0; k < errors_.size(); ++k) {
-            const Eigen::Index at = count_ + static_cast<Eigen::Index>(k);
-            mean.errors[errors_[k].error] = solved[at];
-            mean.chi2 += solved[at] * solved[at] * errors_[k].weight;
-            squares += solved[at] * solved[at] + inverse(at, at);
-        }
-        const Eigen::MatrixXd to_drift = drift_in(solved);
-        mean.value = to_drift * solved;
-        mean.covariance = to_drift * inverse * of_noise * inverse * to_drift.transpose();
-        mean.with_channels = to_drift * inverse * to_drift.transpose();
-        if (first_ == 0) {
-            // The turn seen is m (1 + (gain^2 + skew^2)/2): rms of that of normal errors.
-            const double second = std::sqrt(3.0) / 2 * squares * mean_[0];
-            mean.with_channels(0, 0) += second * second;
-        }
-        for (const LogDrift* log : logs_) {
-            const Eigen::VectorXd off =
-                log->coefficients.segment(first_, count_) - terms_of(*log) * solved;
-            mean.chi2 += off.dot(weight_of(*log) * off);
-        }
-        mean.freedom = static_cast<double>(count_) * (static_cast<double>(logs_.size()) - 1);
-        return mean;
-    }
-
-private:
-    Eigen::MatrixXd weight_of(const LogDrift& log) const {
-        return inverse_of(log.covariance.block(first_, first_, count_, count_));
-    }
-
-    Eigen::MatrixXd terms_of(const LogDrift& log) const {
-        const auto size = count_ + static_cast<Eigen::Index>(errors_.size());
-        Eigen::MatrixXd terms = Eigen::MatrixXd::Identity(count_, size);
-        for (std::size_t k = 0; k < errors_.size(); ++k) {
-            terms.col(count_ + static_cast<Eigen::Index>(k)) =
-                (log.coefficients[0] - mean_[0]) * errors_[k].of_turn.segment(first_, count_);
-        }
-        return terms;
-    }
-
-    // From what is solved for to the drift: without what the errors make of it.
-    Eigen::MatrixXd drift_in(const Eigen::VectorXd& solved) const {
-        Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count_, solved.size());
-        Eigen::VectorXd drift = mean_;
-        for (int pass = 0; pass < 2; ++pass) {  // the mean holds the errors of the turn, too
-            for (std::size_t k = 0; k < errors_.size(); ++k) {
-                to_drift.col(count_ + static_cast<Eigen::Index>(k)) =
-                    -seen_of(drift, errors_[k].error).segment(first_, count_);
-            }
-            drift.segment(first_, count_) = to_drift * solved;
-        }
-        return to_drift;
-    }
-
+    centre /= weights;
     struct SeenError {
         Eigen::Index error;       // as of seen_of()
         double weight;            // of its prior
         Eigen::VectorXd of_turn;  // what it makes of a turn of 1: a fourth harmonic
     };
-
-    const std::vector<const LogDrift*>& logs_;
-    Eigen::Index first_;
-    Eigen::Index count_;
-    Eigen::VectorXd mean_ = Eigen::VectorXd::Zero(log_terms);
-    std::vector<SeenError> errors_;
-};
+    std::vector<SeenError> errors;
+    const std::array tolerances{channels.kappa, channels.skew_rad};
+    for (Eigen::Index k = 0; k < 2; ++k) {
+        const double sd = tolerances[static_cast<std::size_t>(k)];
+        if (sd > 0) {
+            errors.push_back({k, 1 / (sd * sd), seen_of(Eigen::VectorXd::Unit(log_terms, 0), k)});
+        }
+    }
+    const auto size = count + static_cast<Eigen::Index>(errors.size());
+    const auto weight_of = [&](const LogDrift& log) -> Eigen::MatrixXd {
+        return inverse_of(log.covariance.block(first, first, count, count));
+    };
+    const auto terms_of = [&](const LogDrift& log) {
+        Eigen::MatrixXd terms = Eigen::MatrixXd::Identity(count, size);
+        for (std::size_t k = 0; k < errors.size(); ++k) {
+            terms.col(count + static_cast<Eigen::Index>(k)) =
+                (log.coefficients[0] - centre[0]) * errors[k].of_turn.segment(first, count);
+        }
+        return terms;
+    };
+    Eigen::MatrixXd of_noise = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd moment = Eigen::VectorXd::Zero(size);
+    for (const LogDrift* log : logs) {
+        const Eigen::MatrixXd terms = terms_of(*log);
+        const Eigen::MatrixXd weighted = terms.transpose() * weight_of(*log);
+        of_noise += weighted * terms;
+        moment += weighted * log->coefficients.segment(first, count);
+    }
+    Eigen::MatrixXd information = of_noise;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        const Eigen::Index at = count + static_cast<Eigen::Index>(k);
+        information(at, at) += errors[k].weight;
+    }
+    const Eigen::MatrixXd inverse = inverse_of(information);
+    const Eigen::VectorXd solved = inverse * moment;
+    Mean mean;
+    double squares = 0;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        const Eigen::Index at = count + static_cast<Eigen::Index>(k);
+        mean.errors[errors[k].error] = solved[at];
+        mean.chi2 += solved[at] * solved[at] * errors[k].weight;
+        squares += solved[at] * solved[at] + inverse(at, at);
+    }
+    // From what is solved for to the drift: without what the errors make of it.
+    Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count, size);
+    Eigen::VectorXd drift = centre;
+    for (int pass = 0; pass < 2; ++pass) {  // the mean holds the errors of the turn, too
+        for (std::size_t k = 0; k < errors.size(); ++k) {
+            to_drift.col(count + static_cast<Eigen::Index>(k)) =
+                -seen_of(drift, errors[k].error).segment(first, count);
+        }
+        drift.segment(first, count) = to_drift * solved;
+    }
+    mean.value = to_drift * solved;
+    mean.covariance = to_drift * inverse * of_noise * inverse * to_drift.transpose();
+    mean.with_channels = to_drift * inverse * to_drift.transpose();
+    if (first == 0) {
+        // The turn seen is m (1 + (gain^2 + skew^2)/2): rms of that of normal errors.
+        const double second = std::sqrt(3.0) / 2 * squares * centre[0];
+        mean.with_channels(0, 0) += second * second;
+    }
+    for (const LogDrift* log : logs) {
+        const Eigen::VectorXd off =
+            log->coefficients.segment(first, count) - terms_of(*log) * solved;
+        mean.chi2 += off.dot(weight_of(*log) * off);
+    }
+    mean.freedom = static_cast<double>(count) * (static_cast<double>(logs.size()) - 1);
+    return mean;
+}
 
 std::vector<LogAgreement> agreement_of(const std::vector<const LogDrift*>& logs,
                                        const ChannelTolerance& channels) {
     std::vector<LogAgreement> found;
     for (const Place& place : places) {
-        const Mean mean = MeanOfLogs(logs, channels, place.first, place.count).mean();
+        const Mean mean = mean_of(logs, channels, place.first, place.count);
         found.push_back({place.harmonic, mean.chi2, mean.freedom, mean.deviations(),
                          mean.deviations() < log_differs});
     }
@@ -282,7 +260,7 @@ Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& 
     Eigen::MatrixXd with_channels = found.covariance;
     Eigen::Vector2d errors = Eigen::Vector2d::Zero();
     const auto take = [&](Eigen::Index first, Eigen::Index count) {
-        const Mean mean = MeanOfLogs(used, channels, first, count).mean();
+        const Mean mean = mean_of(used, channels, first, count);
         value.segment(first, count) = mean.value;
         found.covariance.block(first, first, count, count) = mean.covariance;
         with_channels.block(first, first, count, count) = mean.with_channels;
