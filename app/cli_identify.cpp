@@ -39,10 +39,6 @@ std::string label_of(std::string name) {
     return name;
 }
 
-std::string parameter_text(const ResonatorParameter& parameter, const Estimate& estimate) {
-    return parameter.period > 0 ? text_in_degrees(estimate) : text_of(estimate, parameter.unit);
-}
-
 // What the wave of a recording did, whatever the resonator is.
 std::string wave_text(const RecordingRef& recording, const WaveMotion& wave) {
     std::string text = "wave of " + recording.name() + ", means over the recording\n";
@@ -59,14 +55,13 @@ std::string padded(const std::string& text, std::size_t width) {
 
 // "kappa 0.01 (assumed), skew 0.1 deg (assumed)": what u holds besides sd.
 std::string tolerances_text(const IdentifySettings& settings) {
-    std::string list;
-    for (const ToleranceInUse& each :
-         tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
-        const std::string unit = each.parameter.unit;
-        list += (list.empty() ? "" : ", ") + std::string(each.parameter.name()) + " " +
-                short_text(each.value, 3) + (unit.empty() ? "" : " " + unit) +
-                (each.assumed ? " (assumed)" : "");
-    }
+    const std::string list =
+        joined(tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa), ", ",
+               [](const ToleranceInUse& each) {
+                   const std::string unit = each.parameter.unit;
+                   return std::string(each.parameter.name()) + " " + short_text(each.value, 3) +
+                          (unit.empty() ? "" : " " + unit) + (each.assumed ? " (assumed)" : "");
+               });
     std::string text = "± is statistical";
     if (!list.empty()) {
         text += "; u holds the tolerances " + list;
@@ -223,8 +218,10 @@ std::string identify_text(const SetResult& result) {
     if (fit.model == ResonatorModel::structured) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {
-            text += line(label_of(parameter.name),
-                         parameter_text(parameter, fit.resonator.*parameter.member));
+            const Estimate& estimate = fit.resonator.*parameter.member;
+            text += line(label_of(parameter.name), parameter.period > 0
+                                                       ? text_in_degrees(estimate)
+                                                       : text_of(estimate, parameter.unit));
         }
         text += sensitivities_text(fit);
     } else {

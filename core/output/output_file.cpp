@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/text_fields.h"
@@ -183,15 +184,10 @@ std::string file_ending(const std::filesystem::path& path) {
 Status check_ending(const std::filesystem::path& path,
                     std::initializer_list<std::string_view> endings) {
     const std::string ending = file_ending(path);
-    std::string possible;
-    for (const std::string_view each : endings) {
-        if (each == ending) {
-            return {};
-        }
-        possible += possible.empty() || each.empty() ? "" : ", ";
-        possible += each;
+    if (std::ranges::find(endings, ending) != endings.end()) {
+        return {};
     }
-    return Error{ErrorCode::output_format_unknown, path.string(), {ending, possible}};
+    return Error{ErrorCode::output_format_unknown, path.string(), {ending, joined(endings, ", ")}};
 }
 
 void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::path& recording,
