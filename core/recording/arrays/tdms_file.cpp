@@ -221,7 +221,7 @@ bool fits(const TdmsRawIndex& index) {
     const auto buffers = static_cast<std::int64_t>(index.widths.size());
     return std::accumulate(index.widths.begin(), index.widths.end(), std::int64_t{0}) <=
                widest_row &&
-           std::all_of(index.scalers.begin(), index.scalers.end(), [&](const TdmsScaler& scaler) {
+           std::ranges::all_of(index.scalers, [&](const TdmsScaler& scaler) {
                return scaler.buffer < buffers &&
                       scaler.offset + (scaler.type ? bytes_of(*scaler.type) : 1) <=
                           index.widths[static_cast<std::size_t>(scaler.buffer)];
@@ -248,8 +248,7 @@ bool is_kept(std::string_view name) {
     constexpr std::array<std::string_view, 6> names{"wf_increment",  "wf_xunit_string",
                                                     "wf_start_time", "wf_start_offset",
                                                     "unit_string",   "NI_Number_Of_Scales"};
-    return name.starts_with("NI_Scal") ||
-           std::find(names.begin(), names.end(), name) != names.end();
+    return name.starts_with("NI_Scal") || std::ranges::find(names, name) != names.end();
 }
 
 }  // namespace
@@ -292,8 +291,7 @@ Status TdmsFile::walk(const Visitor& visit) {
         if (has(has_metadata)) {
             TRY(take_metadata(metadata_at, metadata_size, big_endian, has(has_new_list)));
         }
-        const auto daqmx = std::count_if(chunk_.begin(), chunk_.end(),
-                                         [](const TdmsRawIndex& index) { return index.is_daqmx; });
+        const auto daqmx = std::ranges::count_if(chunk_, &TdmsRawIndex::is_daqmx);
         const bool all = daqmx == static_cast<std::ptrdiff_t>(chunk_.size());
         if (has(has_raw_data) && !(all || (daqmx == 0 && !has(has_daqmx_data)))) {
             return file_->unsupported(
@@ -363,9 +361,7 @@ Result<std::size_t> TdmsFile::object_named(const std::string& path) {
 
 Status TdmsFile::list_raw_index(TdmsMetadata& metadata, std::size_t object) {
     const auto length = metadata.number<std::uint32_t>();
-    const auto listed =
-        std::find_if(chunk_.begin(), chunk_.end(),
-                     [object](const TdmsRawIndex& index) { return index.object == object; });
+    const auto listed = std::ranges::find(chunk_, object, &TdmsRawIndex::object);
     if (length == tdms_no_raw_data) {
         if (listed != chunk_.end()) {
             chunk_.erase(listed);

@@ -111,7 +111,7 @@ std::optional<Chunk> shared_out(Chunk chunk, std::size_t object, std::int64_t by
 }
 
 bool has_texts(const std::vector<TdmsRawIndex>& indices) {
-    return std::any_of(indices.begin(), indices.end(), [](const TdmsRawIndex& index) {
+    return std::ranges::any_of(indices, [](const TdmsRawIndex& index) {
         return index.count > 0 && !tdms_bytes(index.type);
     });
 }
@@ -130,7 +130,7 @@ public:
                                     const std::vector<TdmsRawIndex>& indices) {
         const bool is_daqmx = !indices.empty() && indices.front().is_daqmx;
         if (segment.interleaved && !is_daqmx &&
-            std::any_of(indices.begin(), indices.end(), [&](const TdmsRawIndex& index) {
+            std::ranges::any_of(indices, [&](const TdmsRawIndex& index) {
                 return index.count != indices.front().count || !tdms_bytes(index.type);
             })) {
             return VYBEG_MESSAGE("Words", "channels of different lengths are interleaved");
@@ -268,16 +268,15 @@ struct Columns {
 
 bool alike(const TdmsRawIndex& a, const TdmsRawIndex& b) {
     return a.type == b.type &&
-           std::equal(a.scalers.begin(), a.scalers.end(), b.scalers.begin(), b.scalers.end(),
-                      [](const TdmsScaler& x, const TdmsScaler& y) {
-                          return x.type == y.type && x.id == y.id;
-                      });
+           std::ranges::equal(a.scalers, b.scalers, [](const TdmsScaler& x, const TdmsScaler& y) {
+               return x.type == y.type && x.id == y.id;
+           });
 }
 
 bool has_numbers(const TdmsRawIndex& index) {
     return tdms_number(index.type) ||
-           std::any_of(index.scalers.begin(), index.scalers.end(),
-                       [](const TdmsScaler& scaler) { return scaler.type.has_value(); });
+           std::ranges::any_of(index.scalers,
+                               [](const TdmsScaler& scaler) { return scaler.type.has_value(); });
 }
 
 class TdmsReader {
@@ -342,10 +341,9 @@ public:
         if (!chosen.scaling.scaler && scalers.size() == 1) {
             chosen.scaling.scaler = scalers.front().id;
         }
-        const auto scaler =
-            std::find_if(scalers.begin(), scalers.end(), [&](const TdmsScaler& candidate) {
-                return candidate.type && chosen.scaling.scaler == candidate.id;
-            });
+        const auto scaler = std::ranges::find_if(scalers, [&](const TdmsScaler& candidate) {
+            return candidate.type && chosen.scaling.scaler == candidate.id;
+        });
         if (scaler == scalers.end()) {
             return undescribed();
         }
