@@ -30,40 +30,70 @@ struct Chunk {
     const char* payload;  // its first payload_head bytes, zeros after the end of the file
 };
 
-// Passes name, size and payload's place of each chunk of a WAV file between `at` and `end` to
-// `visit`, until that returns false; returns where the next one would begin.
+// Layout of the chunk heads of a container, in the order of Container; of WAV and RF64 that of
+// little endian ones.
+struct Layout {
+    const char* name;
+    std::int64_t first_chunk;
+    std::int64_t id_bytes;
+    std::int64_t size_bytes;
+    std::int64_t alignment;
+    bool big_endian;
+    bool size_counts_head;
+};
+constexpr std::array<Layout, 5> layouts{{{"WAV", 12, 4, 4, 2, false, false},
+                                         {"RF64", 12, 4, 4, 2, false, false},
+                                         {"W64", 40, 16, 8, 8, false, true},
+                                         {"AIFF", 12, 4, 4, 2, true, false},
+                                         {"CAF", 8, 4, 8, 1, true, false}}};
+
+const Layout& layout_of(Container container) {
+    return layouts.at(static_cast<std::size_t>(container));
+}
+
+// Passes each chunk between `at` and `end` to `visit`, a Result<bool>, until that is false; returns
+// where the next one would begin.
 template <class Visit>
-Result<std::int64_t> walk_chunks(const FileBytes& file, std::int64_t at, std::int64_t end,
-                                 bool big_endian, Visit visit) {
-    constexpr std::int64_t head_bytes = 8;
+Result<std::int64_t> walk_chunks(const FileBytes& file, const Layout& layout, std::int64_t at,
+                                 std::int64_t end, Visit visit) {
+    const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
     for (int i = 0; i < most_chunks && end - at >= head_bytes; ++i) {
-        std::array<char, head_bytes> head{};
-        TRY(file.read(at, head));
-        const std::int64_t size = load<std::uint32_t>(head.data() + 4, big_endian);
-        if (!visit(std::string_view(head.data(), 4), size, at + head_bytes)) {
+        std::array<char, 24 + payload_head> bytes{};
+        TRY(file.read(at, bytes));
+        const char* const size_at = bytes.data() + layout.id_bytes;
+        std::int64_t size = layout.size_bytes == 8
+                                ? load<std::int64_t>(size_at, layout.big_endian)
+                                : load<std::uint32_t>(size_at, layout.big_endian);
+        if (layout.size_counts_head) {
+            constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+            size = size < least + head_bytes ? size : size - head_bytes;
+        }
+        const auto goes_on =
+            TRY(visit(Chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes}));
+        if (!goes_on) {
             break;
         }
-        at += head_bytes + size + size % 2;
+        at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;
     }
     return at;
 }
 
 // Whether the chunks in a LIST chunk lie inside it.
-Result<bool> is_sound_list(const FileBytes& file, const Chunk& list, bool big_endian) {
+Result<bool> is_sound_list(const FileBytes& file, const Layout& layout, const Chunk& list) {
     const std::int64_t end = list.payload_at + list.size;
     if (end > file.size()) {
         return false;
     }
-    const auto behind = TRY(walk_chunks(file, list.payload_at + 4, end, big_endian,
-                                        [](auto, auto, auto) { return true; }));
+    const auto behind = TRY(walk_chunks(file, layout, list.payload_at + 4, end,
+                                        [](const Chunk&) -> Result<bool> { return true; }));
     return behind <= end + 1;  // the last one need not be padded
 }
 
 // Whether the decoder gets a chunk of a WAV or RF64 file: samples, their description, date.
-Result<bool> is_wanted(const FileBytes& file, const Chunk& chunk, bool big_endian) {
+Result<bool> is_wanted(const FileBytes& file, const Layout& layout, const Chunk& chunk) {
     constexpr std::array<std::string_view, 5> wanted{"fmt ", "fact", "data", "ds64", "bext"};
     if (chunk.id == "LIST") {
-        return is_sound_list(file, chunk, big_endian);
+        return is_sound_list(file, layout, chunk);
     }
     return std::find(wanted.begin(), wanted.end(), chunk.id) != wanted.end();
 }
@@ -88,18 +118,18 @@ Result<std::string> broadcast_start(const FileBytes& file, const Chunk& chunk) {
 }
 
 // The date (ICRD) of a sound list of informations. Errors: file_read_failed.
-Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool big_endian) {
+Result<std::string> listed_date(const FileBytes& file, const Layout& layout, const Chunk& list) {
     constexpr std::int64_t most_text = 2046;
     if (std::string_view(list.payload, 4) != "INFO") {
         return std::string();
     }
     std::int64_t size = 0;  // of the date
     std::int64_t at = 0;
-    TRY(walk_chunks(file, list.payload_at + 4, list.payload_at + list.size, big_endian,
-                    [&](std::string_view name, std::int64_t bytes, std::int64_t payload_at) {
-                        const bool is_date = name == "ICRD";
-                        size = is_date ? bytes : 0;
-                        at = payload_at;
+    TRY(walk_chunks(file, layout, list.payload_at + 4, list.payload_at + list.size,
+                    [&](const Chunk& chunk) -> Result<bool> {
+                        const bool is_date = chunk.id == "ICRD";
+                        size = is_date ? chunk.size : 0;
+                        at = chunk.payload_at;
                         return !is_date;
                     }));
     const auto text = TRY(file.text(at, size > most_text ? 0 : size));
@@ -108,35 +138,14 @@ Result<std::string> listed_date(const FileBytes& file, const Chunk& list, bool b
 
 // Whether the bytes from `at` to the end of a WAV file are chunks, the last one complete; this is
 // the case after a data chunk that is really empty.
-Result<bool> are_chunks(const FileBytes& file, std::int64_t at, bool big_endian) {
+Result<bool> are_chunks(const FileBytes& file, const Layout& layout, std::int64_t at) {
     bool named = true;
     const auto behind =
-        TRY(walk_chunks(file, at, file.size(), big_endian, [&](std::string_view name, auto, auto) {
-            named = std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~'; });
+        TRY(walk_chunks(file, layout, at, file.size(), [&](const Chunk& chunk) -> Result<bool> {
+            named = std::ranges::all_of(chunk.id, [](char c) { return c >= ' ' && c <= '~'; });
             return named;
         }));
     return named && (behind == file.size() || behind == file.size() + 1);
-}
-
-// Layout of the chunk heads of a container, in the order of Container; of WAV and RF64 that of
-// little endian ones.
-struct Layout {
-    const char* name;
-    std::int64_t first_chunk;
-    std::int64_t id_bytes;
-    std::int64_t size_bytes;
-    std::int64_t alignment;
-    bool big_endian;
-    bool size_counts_head;
-};
-constexpr std::array<Layout, 5> layouts{{{"WAV", 12, 4, 4, 2, false, false},
-                                         {"RF64", 12, 4, 4, 2, false, false},
-                                         {"W64", 40, 16, 8, 8, false, true},
-                                         {"AIFF", 12, 4, 4, 2, true, false},
-                                         {"CAF", 8, 4, 8, 1, true, false}}};
-
-const Layout& layout_of(Container container) {
-    return layouts.at(static_cast<std::size_t>(container));
 }
 
 // An 80-bit number of AIFF, whose first bit is the whole number 1.
@@ -373,46 +382,31 @@ Result<AudioExtent> audio_extent(const FileBytes& file) {
     const bool is_riff = *container == Container::wav || *container == Container::rf64;
     Layout layout = layout_of(*container);
     layout.big_endian = layout.big_endian || (is_riff && head[3] == 'X');
-    const std::int64_t head_bytes = layout.id_bytes + layout.size_bytes;
     ExtentReader reader(*container, layout.big_endian, file.size());
     bool searching = true;
-    std::int64_t at = layout.first_chunk;
-    for (int i = 0; i < most_chunks && at <= file.size() - head_bytes; ++i) {
-        std::array<char, 24 + payload_head> bytes{};
-        TRY(file.read(at, bytes));
-        const char* size_at = bytes.data() + layout.id_bytes;
-        std::int64_t size = layout.size_bytes == 8
-                                ? load<std::int64_t>(size_at, layout.big_endian)
-                                : load<std::uint32_t>(size_at, layout.big_endian);
-        if (layout.size_counts_head) {
-            constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
-            size = size < least + head_bytes ? size : size - head_bytes;
-        }
-        const Chunk chunk{{bytes.data(), 4}, size, at + head_bytes, bytes.data() + head_bytes};
+    const auto visit = [&](const Chunk& chunk) -> Result<bool> {
         if (is_riff) {
-            const auto wanted = TRY(is_wanted(file, chunk, layout.big_endian));
+            const auto wanted = TRY(is_wanted(file, layout, chunk));
             if (!wanted) {
                 reader.hide(chunk);
             } else if (chunk.id == "bext" || chunk.id == "LIST") {
                 const bool of_broadcast = chunk.id == "bext";
                 const auto start = TRY(of_broadcast ? broadcast_start(file, chunk)
-                                                    : listed_date(file, chunk, layout.big_endian));
+                                                    : listed_date(file, layout, chunk));
                 reader.take_start(start, of_broadcast);
             }
         }
-        if (*container == Container::wav && chunk.id == "data" && size == 0 && searching) {
-            const auto is_empty = TRY(are_chunks(file, chunk.payload_at, layout.big_endian));
+        if (*container == Container::wav && chunk.id == "data" && chunk.size == 0 && searching) {
+            const auto is_empty = TRY(are_chunks(file, layout, chunk.payload_at));
             if (!is_empty) {
                 reader.take_unfinished(chunk);
-                break;
+                return false;
             }
         }
         searching = searching && reader.take(chunk);
-        if (!(searching || is_riff) || size < 0 || size > file.size()) {
-            break;
-        }
-        at += (head_bytes + size + layout.alignment - 1) / layout.alignment * layout.alignment;
-    }
+        return (searching || is_riff) && chunk.size >= 0 && chunk.size <= file.size();
+    };
+    TRY(walk_chunks(file, layout, layout.first_chunk, file.size(), visit));
     return reader.extent();
 }
 
