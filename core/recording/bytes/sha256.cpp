@@ -24,13 +24,27 @@ std::string hexadecimal(std::span<const unsigned char> digest) {
     return text;
 }
 
-// Without files: the hash of an empty one.
-Result<std::string> sha256_of(std::span<const FileBytes* const> files,
-                              const std::filesystem::path& path, const JobControl& job) {
+}  // namespace
+
+Result<std::string> text_sha256(std::string_view text) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int length = 0;
+    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+        return not_available("");
+    }
+    return hexadecimal(std::span(digest).first(length));
+}
+
+void prepare_sha256() {
+    (void)text_sha256("");
+}
+
+Result<std::string> files_sha256(std::span<const FileBytes* const> files, const JobControl& job) {
+    const std::string where = files.front()->path().string();
     const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
                                                                           &EVP_MD_CTX_free);
     if (!context) {  // which the other functions would dereference
-        return Error{ErrorCode::out_of_memory, path.string(), {}};
+        return Error{ErrorCode::out_of_memory, where, {}};
     }
     bool ok = EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
     std::vector<char> chunk(std::size_t{1} << 20);
@@ -55,40 +69,17 @@ Result<std::string> sha256_of(std::span<const FileBytes* const> files,
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
     if (!ok || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
-        return not_available(path.string());
+        return not_available(where);
     }
     return hexadecimal(std::span(digest).first(length));
-}
-
-}  // namespace
-
-Result<std::string> text_sha256(std::string_view text) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-    unsigned int length = 0;
-    if (EVP_Digest(text.data(), text.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-        return not_available("");
-    }
-    return hexadecimal(std::span(digest).first(length));
-}
-
-void prepare_sha256() {
-    (void)text_sha256("");
 }
 
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job) {
     const auto file = FileBytes::open(path);
-    if (!file && file.error().code != ErrorCode::file_empty) {
-        return file.error();
+    if (!file) {
+        return file.error().code == ErrorCode::file_empty ? text_sha256("") : file.error();
     }
-    std::vector<const FileBytes*> files;
-    if (file) {
-        files.push_back(file->get());
-    }
-    return sha256_of(files, path, job);
-}
-
-Result<std::string> files_sha256(std::span<const FileBytes* const> files, const JobControl& job) {
-    return sha256_of(files, files.empty() ? std::filesystem::path() : files[0]->path(), job);
+    return files_sha256(std::array{file->get()}, job);
 }
 
 void add_part(std::string& text, std::string_view part) {

@@ -14,7 +14,8 @@ namespace vybeg {
 // Lower-case hexadecimal SHA-256 of a file's bytes.
 Result<std::string> file_sha256(const std::filesystem::path& path, const JobControl& job);
 
-// The same of the bytes of open files one after the other, independent of their paths.
+// The same of the bytes of open files, one or more, one after the other, independent of their
+// paths.
 Result<std::string> files_sha256(std::span<const FileBytes* const> files, const JobControl& job);
 
 // The same of a text.
