@@ -256,14 +256,13 @@ Result<std::shared_ptr<const Envelope>> build_envelope(const SampleSource& sourc
         sink(picture());
         published = job.now();
     };
+    const auto look = [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
+        TRY(read_frames(frames * part / parts, frames_per_look));
+        return ScannedPlace{static_cast<double>(part) / static_cast<double>(parts),
+                            bucket_of(c, d)};
+    };
     if (sink && source.seeks()) {
-        auto seen = TRY(sparse_scan(
-            std::min(most_looks, frames / frames_per_part), job,
-            [&](std::int64_t part, std::int64_t parts) -> Result<ScannedPlace> {
-                TRY(read_frames(frames * part / parts, frames_per_look));
-                return ScannedPlace{static_cast<double>(part) / static_cast<double>(parts),
-                                    bucket_of(c, d)};
-            }));
+        auto seen = TRY(sparse_scan(std::min(most_looks, frames / frames_per_part), job, look));
         if (!seen.empty()) {
             samples = std::make_shared<const Samples>(std::move(seen));
             publish();
