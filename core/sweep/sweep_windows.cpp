@@ -32,10 +32,6 @@ constexpr double far_out = 4;                         // sd of a value that does
 constexpr double second_order = 0.25;
 constexpr double nan = SweepValue::none;
 
-bool of_amplitude_or_rate(SlowVariable variable) {
-    return variable == SlowVariable::a_A || variable == SlowVariable::f;
-}
-
 // Above this the absolute value of a number does not count.
 double limit_of(const std::vector<double>& x) {
     std::vector<double> sizes(x.size());
@@ -111,15 +107,12 @@ private:
     };
     static constexpr std::size_t held_rows = 7;
 
-    Row row_of(const Track& track, std::size_t k);
-    bool over_fault(std::size_t row);
     void judge_middle();
 
     WindowPlan plan_;
     double rate_hz_;
     double angle_zero_;
     std::vector<FlaggedRows> faults_;
-    std::size_t next_fault_ = 0;
     EquivalentNoise noise_;
     std::size_t stride_;
     std::size_t rows_ = 0;
@@ -139,38 +132,21 @@ NeighbourScatter::NeighbourScatter(const WindowPlan& plan, double rate_hz, doubl
       noise_(noise),
       stride_((static_cast<std::size_t>(plan.count) + most_groups - 1) / most_groups) {}
 
-// Rows are asked in ascending order.
-bool NeighbourScatter::over_fault(std::size_t row) {
-    while (next_fault_ < faults_.size() &&
-           row >= faults_[next_fault_].first + faults_[next_fault_].count) {
-        ++next_fault_;
-    }
-    for (std::size_t k = next_fault_; k < faults_.size() && faults_[k].first <= row; ++k) {
-        if (row < faults_[k].first + faults_[k].count) {
-            return true;
-        }
-    }
-    return false;
-}
-
-NeighbourScatter::Row NeighbourScatter::row_of(const Track& track, std::size_t k) {
-    Row row;
-    for (std::size_t v = 0; v < sweep_variable_count; ++v) {
-        row.values[v] = track.values(main_slow_variables[v])[k];
-        row.sds[v] = track.sds(main_slow_variables[v])[k];
-    }
-    row.alpha = track.values(SlowVariable::alpha)[k];
-    row.counts = is_sound_window(track.flags()[k]) && !over_fault(rows_);
-    return row;
-}
-
 void NeighbourScatter::take(const Track& next_rows) {
+    std::vector<Flags> flags(next_rows.flags().begin(), next_rows.flags().end());
+    set_flags(flags, rows_, faults_);
     for (std::size_t k = 0; k < next_rows.rows(); ++k) {
         std::shift_left(held_.begin(), held_.end(), 1);
-        held_.back() = row_of(next_rows, k);
+        Row& row = held_.back();
+        for (std::size_t v = 0; v < sweep_variable_count; ++v) {
+            row.values[v] = next_rows.values(main_slow_variables[v])[k];
+            row.sds[v] = next_rows.sds(main_slow_variables[v])[k];
+        }
+        row.alpha = next_rows.values(SlowVariable::alpha)[k];
+        row.counts = is_sound_window(flags[k]);
         const double rms = next_rows.values(SlowVariable::rms)[k];
         const double noise = next_rows.values(SlowVariable::noise)[k];
-        if (held_.back().counts && std::isfinite(rms)) {
+        if (row.counts && std::isfinite(rms)) {
             rms_squares_ += rms * rms;
             noise_squares_ += noise * noise;
             ++used_;
@@ -234,6 +210,7 @@ SweepLength NeighbourScatter::finish() const {
         SweepValue& value = found.values[v];
         const double typical = median(sums.bound);
         const bool of_frequency = main_slow_variables[v] == SlowVariable::f;
+        const bool of_amplitude = main_slow_variables[v] == SlowVariable::a_A;
         value.bound = typical * (of_frequency ? noise_.frequency : noise_.phasors);
         const double scatter = root_mean_square(sums.sixth, sums.sixth);
         const double second = root_mean_square(sums.second, sums.sixth);
@@ -243,7 +220,7 @@ SweepLength NeighbourScatter::finish() const {
         const double bend = second * second - second_norm * scatter * scatter;
         value.motion = typical * std::sqrt(std::max(bend, 0.0)) / 24;
         // A slope d in the window enters the projections through their residual, about d/2n.
-        const double share = of_amplitude_or_rate(main_slow_variables[v]) ? second_order : 1;
+        const double share = of_amplitude || of_frequency ? second_order : 1;
         value.unmodelled =
             share * typical * beyond * std::sqrt(3 / static_cast<double>(plan_.length));
     }
@@ -312,12 +289,7 @@ Errors form_leakage(Algorithm algorithm, std::span<const WaveState> waves, std::
         }
     }
     Errors typical;
-    typical.fill(SweepValue::none);
-    for (std::size_t v = 0; v < typical.size(); ++v) {
-        if (!of_waves[v].empty()) {
-            typical[v] = median(std::move(of_waves[v]));
-        }
-    }
+    std::ranges::transform(of_waves, typical.begin(), median);
     return typical;
 }
 
@@ -326,30 +298,6 @@ constexpr std::int64_t block = std::int64_t{1} << 16;
 constexpr std::int64_t wave_count = 8;    // of which the leakage is computed
 constexpr std::int64_t wave_window = 60;  // samples
 constexpr double work_of_window = 30;     // in samples of reading
-
-// A source whose frames from `first` on are in memory.
-class HeldSource : public SampleSource {
-public:
-    HeldSource(std::shared_ptr<const SampleSource> source, std::int64_t first,
-               std::vector<double> c, std::vector<double> d)
-        : source_(std::move(source)), first_(first), c_(std::move(c)), d_(std::move(d)) {}
-
-    std::int64_t frames() const override { return source_->frames(); }
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override {
-        if (first < first_ || first + std::ssize(c) > first_ + std::ssize(c_)) {
-            return source_->read(first, c, d);
-        }
-        std::copy_n(c_.begin() + (first - first_), c.size(), c.begin());
-        std::copy_n(d_.begin() + (first - first_), d.size(), d.begin());
-        return {};
-    }
-
-private:
-    std::shared_ptr<const SampleSource> source_;
-    std::int64_t first_;
-    std::vector<double> c_;
-    std::vector<double> d_;
-};
 
 // Reads the range once, past the check of the samples, and holds it where it is not too long.
 Status read_range(ConditionedRecording& prepared, const JobControl& job) {
@@ -366,8 +314,17 @@ Status read_range(ConditionedRecording& prepared, const JobControl& job) {
     }
     prepared.source = prepared.ahead;
     if (held) {
-        prepared.source = std::make_shared<HeldSource>(prepared.ahead, prepared.first, std::move(c),
-                                                       std::move(d));
+        prepared.source = source_of(
+            prepared.ahead->frames(), true,
+            [ahead = prepared.ahead, begin = prepared.first, c = std::move(c), d = std::move(d)](
+                std::int64_t first, std::span<double> to_c, std::span<double> to_d) -> Status {
+                if (first < begin || first + std::ssize(to_c) > begin + std::ssize(c)) {
+                    return ahead->read(first, to_c, to_d);
+                }
+                std::copy_n(c.begin() + (first - begin), to_c.size(), to_c.begin());
+                std::copy_n(d.begin() + (first - begin), to_d.size(), to_d.begin());
+                return {};
+            });
     }
     return {};
 }
