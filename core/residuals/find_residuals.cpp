@@ -121,9 +121,7 @@ Result<Residuals> find_residuals(const Recording& recording, const Analysis& ana
                                  const ResidualRange& range, const JobControl& job) {
     auto samples = TRY(residual_samples(recording, analysis, range, job));
     Residuals found;
-    found.frames = samples.frames;
-    found.examined = samples.examined;
-    found.without = samples.without;
+    static_cast<ResidualFrames&>(found) = samples;
     found.rate_hz = recording.rate_hz;
     found.f0_hz = analysis.f0_hz();
     found.taken_up = taken_up_by(analysis);

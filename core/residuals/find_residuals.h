@@ -40,17 +40,20 @@ enum class LineOrigin {
     unknown            // as strong at the end of the range as at its start, or not known
 };
 
+struct LineName {
+    LineOrigin origin = LineOrigin::unknown;
+    int order = 0;
+    double base_hz = 0;
+};
+
 // A line above the noise: amplitude of the sinusoid that has its mean power, recording units. A
 // window whose main lobe reaches to the line takes up some of it.
-struct ResidualLine {
+struct ResidualLine : LineName {
     double f_hz = 0;
     double amplitude_c = 0;
     double amplitude_d = 0;
     double sd_c = 0;  // of the amplitudes
     double sd_d = 0;
-    LineOrigin origin = LineOrigin::unknown;
-    int order = 0;
-    double base_hz = 0;
     // A band-pass about the carrier that takes the line out; none where no filter can do so.
     std::optional<Band> filter;
 };
@@ -77,11 +80,16 @@ struct ResidualChannel {
     double amplitude_density(std::size_t bin) const { return std::sqrt(density[bin]); }
 };
 
-// The residual of an analysis and what it should look like for white normal noise.
-struct Residuals {
+struct ResidualFrames {
     std::int64_t frames = 0;    // of the range
     std::int64_t examined = 0;  // of these, where the range is too long for all
     std::int64_t without = 0;   // examined, but without a wave: gaps, circular waves, no window
+
+    std::int64_t used() const { return examined - without; }
+};
+
+// The residual of an analysis and what it should look like for white normal noise.
+struct Residuals : ResidualFrames {
     double rate_hz = 0;
     double f0_hz = 0;
     double taken_up = 0;  // the share of white noise that the windows' parameters take up
@@ -91,8 +99,6 @@ struct Residuals {
     int segments = 0;                 // averaged in the spectrum
     double correlation_limit = 0;     // 1.96 / sqrt(N): 95 % of the lags of white noise lie within
     std::vector<ResidualLine> lines;  // in the order of frequency
-
-    std::int64_t used() const { return examined - without; }
 };
 
 // The residual of an analysis in a range, its distribution, spectrum and autocorrelation.
@@ -101,13 +107,10 @@ Result<Residuals> find_residuals(const Recording& recording, const Analysis& ana
                                  const ResidualRange& range, const JobControl& job);
 
 // Residuals of both channels, part after part of consecutive frames.
-struct ResidualSamples {
+struct ResidualSamples : ResidualFrames {
     std::vector<double> c;
     std::vector<double> d;
     std::vector<std::size_t> part_begins;  // in c and d
-    std::int64_t frames = 0;               // as of Residuals
-    std::int64_t examined = 0;
-    std::int64_t without = 0;
 
     std::size_t parts() const { return part_begins.size(); }
     std::span<const double> c_of(std::size_t part) const { return cut(c, part); }

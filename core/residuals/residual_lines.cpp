@@ -66,36 +66,19 @@ constexpr double overlap_of_lines = 1.17;
 
 // The noise around a bin: the higher of the medians on both sides, so that the edge of a band-pass
 // is no line.
-class NoiseFloor {
-public:
-    NoiseFloor(const std::vector<double>& density, int segments)
-        : density_(density),
-          span_(std::clamp<std::ptrdiff_t>(std::ssize(density) / 8, 8, 32)),
-          // Of the mean of exponential distributions.
-          median_over_mean_(chi2_ratio(0, 2.0 * segments)) {}
-
-    double at(std::ptrdiff_t bin) const {
-        return std::max(beside(bin - guard - span_, bin - guard),
-                        beside(bin + guard + 1, bin + guard + 1 + span_)) /
-               median_over_mean_;
-    }
-
-private:
+double noise_floor(const std::vector<double>& density, int segments, std::ptrdiff_t bin) {
+    const auto span = std::clamp<std::ptrdiff_t>(std::ssize(density) / 8, 8, 32);
     // Zero where too few bins lie there. Bin 0 holds what the mean has left.
-    double beside(std::ptrdiff_t first, std::ptrdiff_t end) const {
+    const auto beside = [&](std::ptrdiff_t first) {
+        const std::ptrdiff_t end = std::min(first + span, std::ssize(density));
         first = std::max<std::ptrdiff_t>(first, 1);
-        end = std::min(end, std::ssize(density_));
-        if (end - first < span_ / 2) {
-            return 0;
-        }
-        std::vector<double> values(density_.begin() + first, density_.begin() + end);
-        return median(std::move(values));
-    }
-
-    const std::vector<double>& density_;
-    std::ptrdiff_t span_;
-    double median_over_mean_;
-};
+        return end - first < span / 2 ? 0
+                                      : median({density.begin() + first, density.begin() + end});
+    };
+    // Of the mean of exponential distributions.
+    const double median_over_mean = chi2_ratio(0, 2.0 * segments);
+    return std::max(beside(bin - guard - span), beside(bin + guard + 1)) / median_over_mean;
+}
 
 struct Peak {
     std::ptrdiff_t bin = 0;
@@ -126,13 +109,13 @@ Bins bins_of(const ResidualSpectrum& spectrum, const SignalSettings& settings) {
 void add_peaks(const Densities& densities, std::size_t channel, int segments, double least,
                const Bins& bins, std::vector<Peak>& peaks) {
     const std::vector<double>& density = densities[channel];
-    const NoiseFloor noise(density, segments);
     for (std::ptrdiff_t k = bins.first; k < bins.end; ++k) {
         const auto at = [&](std::ptrdiff_t bin) { return density[static_cast<std::size_t>(bin)]; };
         if (at(k) <= at(k - 1) || at(k) < at(k + 1)) {
             continue;
         }
-        if (const double floor = noise.at(k); floor > 0 && at(k) > least * floor) {
+        const double floor = noise_floor(density, segments, k);
+        if (floor > 0 && at(k) > least * floor) {
             peaks.push_back({k, at(k) / floor, channel});
         }
     }
@@ -178,7 +161,7 @@ struct LinePower {
 
 LinePower line_power(const std::vector<double>& density, std::ptrdiff_t bin, int segments,
                      double bin_hz) {
-    const double floor = NoiseFloor(density, segments).at(bin);
+    const double floor = noise_floor(density, segments, bin);
     LinePower line;
     for (std::ptrdiff_t k = bin - main_lobe; k <= bin + main_lobe; ++k) {
         line.power += (density[static_cast<std::size_t>(k)] - floor) * bin_hz;
@@ -230,12 +213,6 @@ constexpr int highest_order = 10;
 constexpr double grid_tolerance = 2e-3;  // of the mains' frequency
 constexpr double most_bin_hz = 5;        // above which lines of the mains are not resolved
 
-struct Name {
-    LineOrigin origin = LineOrigin::unknown;
-    int order = 0;
-    double base_hz = 0;
-};
-
 class Namer {
 public:
     Namer(const std::vector<ResidualLine>& lines, const Analysis& analysis, double rate_hz,
@@ -247,7 +224,7 @@ public:
           lobe_hz_(rate_hz / static_cast<double>(analysis.plan.length)),
           window_rate_hz_(rate_hz / static_cast<double>(analysis.plan.hop)) {}
 
-    std::optional<Name> name(const ResidualLine& line) const {
+    std::optional<LineName> name(const ResidualLine& line) const {
         const double f_hz = line.f_hz;
         const double off = f_hz - f0_hz_;
         // Long windows have all their side lobes near the carrier.
@@ -255,24 +232,24 @@ public:
         const double near =
             beside_window_rate ? tolerance_hz_ : std::max(3 * lobe_hz_, 2 * tolerance_hz_);
         if (std::abs(off) <= near) {
-            return Name{LineOrigin::wave, 0, 0};
+            return LineName{LineOrigin::wave, 0, 0};
         }
         const double windows = std::round(off / window_rate_hz_);
         if (beside_window_rate && windows != 0 && is_at_window_rate(line, windows)) {
-            return Name{LineOrigin::window_rate, static_cast<int>(windows), window_rate_hz_};
+            return LineName{LineOrigin::window_rate, static_cast<int>(windows), window_rate_hz_};
         }
         if (const ResidualLine* source = imaged(line)) {
-            return Name{LineOrigin::window_image, 0, source->f_hz};
+            return LineName{LineOrigin::window_image, 0, source->f_hz};
         }
         if (const auto found = mains(f_hz)) {
-            return Name{LineOrigin::mains, found->order, found->base_hz};
+            return found;
         }
         if (const auto found = harmonic(f_hz)) {
             return found;
         }
         // A modulation makes lines on both sides.
         if (const auto found = mains(std::abs(off)); found && is_there(f0_hz_ - off)) {
-            return Name{LineOrigin::carrier_by_mains, found->order, found->base_hz};
+            return LineName{LineOrigin::carrier_by_mains, found->order, found->base_hz};
         }
         return std::nullopt;
     }
@@ -334,8 +311,8 @@ private:
     }
 
     // Of two supplies, that of which another line is there, too.
-    std::optional<Name> mains(double f_hz) const {
-        std::optional<Name> best;
+    std::optional<LineName> mains(double f_hz) const {
+        std::optional<LineName> best;
         bool best_seen = false;
         for (const double base : supplies_hz) {
             if (tolerance_hz_ > most_bin_hz || base < 4 * tolerance_hz_) {
@@ -350,19 +327,19 @@ private:
                 return std::abs(line.f_hz - base) <= tolerance_hz_ + grid_tolerance * base;
             });
             if (!best || (seen && !best_seen)) {
-                best = Name{LineOrigin::mains, static_cast<int>(order), base};
+                best = LineName{LineOrigin::mains, static_cast<int>(order), base};
                 best_seen = seen;
             }
         }
         return best;
     }
 
-    std::optional<Name> harmonic(double f_hz) const {
+    std::optional<LineName> harmonic(double f_hz) const {
         for (int order = 2; order <= highest_order; ++order) {
             const double at = order * f0_hz_;
             const double folded = std::abs(std::remainder(at, rate_hz_));
             if (std::abs(f_hz - folded) <= tolerance_hz_) {
-                return Name{
+                return LineName{
                     at < rate_hz_ / 2 ? LineOrigin::carrier_harmonic : LineOrigin::folded_harmonic,
                     order, f0_hz_};
             }
@@ -387,9 +364,7 @@ void name_lines(std::vector<ResidualLine>& lines, const Analysis& analysis, doub
     const Namer namer(lines, analysis, rate_hz, bin_hz);
     for (ResidualLine& line : lines) {
         if (const auto name = namer.name(line)) {
-            line.origin = name->origin;
-            line.order = name->order;
-            line.base_hz = name->base_hz;
+            static_cast<LineName&>(line) = *name;
         }
         if (line.origin == LineOrigin::wave || line.origin == LineOrigin::window_rate ||
             line.origin == LineOrigin::window_image) {
