@@ -88,8 +88,8 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
             const int end_axis =
                 static_cast<int>(direction > 0 ? std::floor(position) : std::ceil(position));
             for (int axis = first_axis; direction * (end_axis - axis) >= 0; axis += direction) {
-                events.push_back({EventKind::axis_crossing, time_at(track, last, k, axis * half_pi),
-                                  0, axis, direction});
+                events.push_back(
+                    {std::nullopt, time_at(track, last, k, axis * half_pi), 0, axis, direction});
             }
         }
         last = k;
@@ -98,7 +98,7 @@ void find_crossings(const Track& track, std::vector<Event>& events) {
 }
 
 // Events of consecutive windows with a flag.
-void find_segments(const Track& track, Flag flag, EventKind kind, std::vector<Event>& events) {
+void find_segments(const Track& track, Flag flag, std::vector<Event>& events) {
     const auto time = track.time_s();
     const auto flags = track.flags();
     for (std::size_t k = 0; k < track.rows(); ++k) {
@@ -109,7 +109,7 @@ void find_segments(const Track& track, Flag flag, EventKind kind, std::vector<Ev
         while (k + 1 < track.rows() && has(flags[k + 1], flag)) {
             ++k;
         }
-        events.push_back({kind, time[first], time[k] - time[first], 0, 0});
+        events.push_back({flag, time[first], time[k] - time[first], 0, 0});
     }
 }
 
@@ -118,12 +118,10 @@ void find_segments(const Track& track, Flag flag, EventKind kind, std::vector<Ev
 std::vector<Event> find_events(const Track& track) {
     std::vector<Event> events;
     find_crossings(track, events);
-    find_segments(track, Flag::gap, EventKind::gap, events);
-    find_segments(track, Flag::clipped, EventKind::clipped, events);
-    find_segments(track, Flag::not_converged, EventKind::not_converged, events);
-    find_segments(track, Flag::filter_transient, EventKind::filter_transient, events);
-    find_segments(track, Flag::delay_reach, EventKind::delay_reach, events);
-    find_segments(track, Flag::moving, EventKind::moving, events);
+    for (const Flag flag : {Flag::gap, Flag::clipped, Flag::not_converged, Flag::filter_transient,
+                            Flag::delay_reach, Flag::moving}) {
+        find_segments(track, flag, events);
+    }
     std::stable_sort(events.begin(), events.end(),
                      [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
     return events;

@@ -104,7 +104,7 @@ private slots:
         QVERIFY(!expected.empty());
         QCOMPARE(found.size(), expected.size());
         for (std::size_t k = 0; k < found.size(); ++k) {
-            QVERIFY(found[k].kind == EventKind::axis_crossing);
+            QVERIFY(!found[k].flag);
             QCOMPARE(found[k].direction, expected[k].direction);
             // Where 2theta_A moves by three standard deviations of a window, a crossing is known to
             // a part of that segment.

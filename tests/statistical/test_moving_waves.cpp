@@ -373,7 +373,7 @@ private slots:
         const std::vector<double> expected = true_crossings(*truth);
         int told = 0;
         for (const Event& event : find_events(analysis->track)) {
-            if (event.kind != EventKind::axis_crossing) {
+            if (event.flag) {
                 continue;
             }
             ++told;

@@ -116,7 +116,7 @@ void TracksPage::chooseAnalysis(AnalysisId id) {
     const AnalysisEntry* entry = document_.analysis(id);
     if (entry && entry->shown.visible) {
         for (const Event& event : entry->events) {
-            if (event.kind == EventKind::axis_crossing) {
+            if (!event.flag) {
                 crossings.push_back(event.time_s);
             }
         }

@@ -182,24 +182,21 @@ QString eventText(const Event& event) {
     const auto lasting = [&event](const QString& what) {
         return event.seconds > 0 ? what + QStringLiteral(", ") + secondsText(event.seconds) : what;
     };
-    switch (event.kind) {
-        case EventKind::axis_crossing: {
-            const QString angle =
-                numberLabel(90. * event.multiple_of_half_pi, 0) + QStringLiteral("°");
-            return event.direction > 0 ? FindingWords::tr("2θ_A passes %1, rising").arg(angle)
-                                       : FindingWords::tr("2θ_A passes %1, falling").arg(angle);
-        }
-        case EventKind::gap: return lasting(FindingWords::tr("Samples are missing"));
-        case EventKind::clipped: return lasting(FindingWords::tr("Clipped"));
-        case EventKind::not_converged: return lasting(FindingWords::tr("Not converged"));
-        case EventKind::filter_transient:
-            return lasting(FindingWords::tr("Transient of the band-pass"));
-        case EventKind::delay_reach:
-            return lasting(FindingWords::tr("The delay reaches beyond the samples"));
-        case EventKind::moving:
-            return lasting(FindingWords::tr("The wave moves inside its windows"));
+    if (!event.flag) {
+        const QString angle = numberLabel(90. * event.multiple_of_half_pi, 0) + QStringLiteral("°");
+        return event.direction > 0 ? FindingWords::tr("2θ_A passes %1, rising").arg(angle)
+                                   : FindingWords::tr("2θ_A passes %1, falling").arg(angle);
     }
-    return {};
+    switch (*event.flag) {
+        case Flag::gap: return lasting(FindingWords::tr("Samples are missing"));
+        case Flag::clipped: return lasting(FindingWords::tr("Clipped"));
+        case Flag::not_converged: return lasting(FindingWords::tr("Not converged"));
+        case Flag::filter_transient: return lasting(FindingWords::tr("Transient of the band-pass"));
+        case Flag::delay_reach:
+            return lasting(FindingWords::tr("The delay reaches beyond the samples"));
+        case Flag::moving: return lasting(FindingWords::tr("The wave moves inside its windows"));
+        default: return {};
+    }
 }
 
 QString formatText(const RecordingFormat& format) {

@@ -47,7 +47,7 @@ private slots:
                     QCOMPARE(events.size(), std::size_t{4});
                     for (int k = 0; k < 4; ++k) {
                         const Event& event = events[static_cast<std::size_t>(k)];
-                        QVERIFY(event.kind == EventKind::axis_crossing);
+                        QVERIFY(!event.flag);
                         QCOMPARE(event.direction, direction);
                         QCOMPARE(event.multiple_of_half_pi, direction * (k - 1));
                         const double expected =
@@ -77,10 +77,10 @@ private slots:
         }
         const std::vector<Event> events = find_events(track);
         QCOMPARE(events.size(), std::size_t{3});
-        QVERIFY((events[0] == Event{EventKind::gap, 0, events[0].seconds, 0, 0}));
+        QVERIFY((events[0] == Event{Flag::gap, 0, events[0].seconds, 0, 0}));
         VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
-        QVERIFY(events[1].kind == EventKind::not_converged);
-        QVERIFY(events[2].kind == EventKind::gap);
+        QVERIFY(events[1].flag == Flag::not_converged);
+        QVERIFY(events[2].flag == Flag::gap);
         QCOMPARE(events[2].time_s, 0.99);
     }
 
@@ -92,7 +92,7 @@ private slots:
         }
         const std::vector<Event> events = find_events(track);
         QCOMPARE(events.size(), std::size_t{1});
-        QVERIFY(events[0].kind == EventKind::moving);
+        QVERIFY(events[0].flag == Flag::moving);
         VYBEG_CLOSE(events[0].seconds, 0.02, 1e-12);
     }
 };

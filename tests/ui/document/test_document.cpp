@@ -74,7 +74,7 @@ private slots:
         };
         QCOMPARE(gaps(), 1);
         QVERIFY(std::ranges::all_of(document.analyses().back().events,
-                                    [](const Event& e) { return e.kind == EventKind::gap; }));
+                                    [](const Event& e) { return e.flag == Flag::gap; }));
         QCOMPARE(document.analyses().back().events.size(), std::size_t(1));
     }
 

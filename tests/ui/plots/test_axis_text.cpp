@@ -183,14 +183,12 @@ private slots:
     }
 
     void an_event_has_three_digits_and_degrees() {
-        const auto gap = [](double seconds) {
-            return eventText({EventKind::gap, 1, seconds, 0, 0});
-        };
+        const auto gap = [](double seconds) { return eventText({Flag::gap, 1, seconds, 0, 0}); };
         QCOMPARE(gap(0.0027213), QStringLiteral("Samples are missing, 2.72 ms"));
         QCOMPARE(gap(1.8), QStringLiteral("Samples are missing, 1.80 s"));
         QCOMPARE(gap(1234.5), QStringLiteral("Samples are missing, 1235 s"));
         QCOMPARE(gap(0), QStringLiteral("Samples are missing"));  // of one window
-        QCOMPARE(eventText({EventKind::axis_crossing, 1, 0, -1, 1}),
+        QCOMPARE(eventText({std::nullopt, 1, 0, -1, 1}),
                  QStringLiteral("2θ_A passes −90°, rising"));
     }
 
