@@ -2,6 +2,7 @@
 
 #include "core/base/guarded.h"
 #include "core/numerics/minimise.h"
+#include "core/numerics/phase.h"
 
 #include <Eigen/Dense>
 
@@ -338,7 +339,7 @@ std::vector<double> beside_first(std::span<const double> values, double period) 
     if (period > 0 && first != moved.end()) {
         const double reference = *first;
         for (double& value : moved) {
-            value -= period * std::round((value - reference) / period);
+            value = nearest_branch(value, reference, period);
         }
     }
     return moved;

@@ -17,10 +17,6 @@ std::mutex& planner_mutex() {
     return mutex;
 }
 
-fftw_complex* as_fftw(std::span<std::complex<double>> data) {
-    return reinterpret_cast<fftw_complex*>(data.data());  // the same layout, by both standards
-}
-
 // FFTW terminates the program if an allocation fails. This allocates the upper limit of its need,
 // with a margin for small blocks, beforehand, which throws std::bad_alloc. The memory is never
 // touched.
@@ -30,11 +26,14 @@ void ask_for_memory(std::size_t elements) {
     memory.deallocate(memory.allocate(count), count);
 }
 
-// The buffers of shorter transforms are negligible.
-void ask_for_buffers(std::size_t size) {
-    if (size >= std::size_t{1} << 16) {
-        ask_for_memory(size);
+void execute(const fftw_plan plan, std::span<std::complex<double>> data) {
+    // The buffers of shorter transforms are negligible.
+    if (data.size() >= std::size_t{1} << 16) {
+        ask_for_memory(data.size());
     }
+    auto* const array =
+        reinterpret_cast<fftw_complex*>(data.data());  // one layout, by both standards
+    fftw_execute_dft(plan, array, array);
 }
 
 }  // namespace
@@ -60,13 +59,11 @@ Fft::~Fft() {
 }
 
 void Fft::forward(std::span<std::complex<double>> data) const {
-    ask_for_buffers(size_);
-    fftw_execute_dft(forward_, as_fftw(data), as_fftw(data));
+    execute(forward_, data);
 }
 
 void Fft::inverse(std::span<std::complex<double>> data) const {
-    ask_for_buffers(size_);
-    fftw_execute_dft(inverse_, as_fftw(data), as_fftw(data));
+    execute(inverse_, data);
 }
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/track/trend.h"
 
+#include "core/numerics/phase.h"
 #include "core/numerics/statistics.h"
 
 #include <Eigen/Dense>
@@ -37,7 +38,6 @@ Points trend_points(const Track& track, SlowVariable variable, double from_s, do
     if (track.sds(variable).empty()) {
         return {};
     }
-    constexpr double turn = 2 * std::numbers::pi;
     const bool wrapped = variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
     const auto times = track.time_s();
     const auto values = track.values(variable);
@@ -57,7 +57,7 @@ Points trend_points(const Track& track, SlowVariable variable, double from_s, do
             continue;
         }
         if (wrapped && !found.empty()) {
-            value -= turn * std::round((value - found.back().value) / turn);
+            value = nearest_branch(value, found.back().value, 2 * std::numbers::pi);
         }
         // Each window with its own deviation: that of a short one rests on a hundred degrees of
         // freedom, too, so that weights do not favour windows whose deviations are too small by
