@@ -167,7 +167,7 @@ public:
             analysis.track.append(rows);
         }
         // The first electrode's angle has been taken off with the rows' own.
-        unwrap_angle(analysis.track, 0);
+        AngleUnwrapper(0).unwrap(analysis.track);
         return analysis;
     }
 

@@ -90,7 +90,7 @@ Track track_of(const PhasorRun& run, double noise_sd) {
             put_frequency(run, k, track);
         }
     }
-    unwrap_angle(track, 0);
+    AngleUnwrapper(0).unwrap(track);
     return track;
 }
 

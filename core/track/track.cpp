@@ -110,8 +110,4 @@ void AngleUnwrapper::unwrap(Track& next_rows) {
     }
 }
 
-void unwrap_angle(Track& track, double two_theta_zero) {
-    AngleUnwrapper(two_theta_zero).unwrap(track);
-}
-
 }  // namespace vybeg

@@ -133,7 +133,7 @@ void set_flags(std::span<Flags> part, std::size_t first, std::span<const Flagged
 // last valid value; alpha follows, so that each row remains the same motion. The first valid
 // 2theta_A lies in (-pi/2, pi/2], alpha in (-pi, pi].
 //
-// The track arrives in consecutive pieces.
+// The track may arrive in consecutive pieces.
 class AngleUnwrapper {
 public:
     explicit AngleUnwrapper(double two_theta_zero) : two_theta_zero_(two_theta_zero) {}
@@ -145,8 +145,5 @@ private:
     double last_ = 0;  // the last valid 2theta_A
     bool any_ = false;
 };
-
-// A whole track at once.
-void unwrap_angle(Track& track, double two_theta_zero);
 
 }  // namespace vybeg

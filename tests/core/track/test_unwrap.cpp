@@ -39,7 +39,7 @@ private slots:
         for (const double rate : {-0.7, -0.01, 0.0, 0.3, 1.4}) {
             for (double start = -1.5; start <= 1.57; start += 0.3) {
                 Track track = turning(50, start, rate);
-                unwrap_angle(track, 0);
+                AngleUnwrapper(0).unwrap(track);
                 for (std::size_t k = 0; k < track.rows(); ++k) {
                     // The start lies in (-pi/2, pi/2], so that no half turn is left open.
                     VYBEG_CLOSE(track.values(SlowVariable::two_theta_A)[k],
@@ -56,7 +56,7 @@ private slots:
             track.values(SlowVariable::two_theta_A)[k] = std::nan("");
             track.values(SlowVariable::alpha)[k] = std::nan("");
         }
-        unwrap_angle(track, 0);
+        AngleUnwrapper(0).unwrap(track);
         QVERIFY(std::isnan(track.values(SlowVariable::two_theta_A)[11]));
         // The first valid row is the third: 1.4, inside (-pi/2, pi/2].
         VYBEG_CLOSE(track.values(SlowVariable::two_theta_A)[39], 1.2 + 3.9, 1e-12);
@@ -65,7 +65,7 @@ private slots:
     void electrodeAngleIsTakenOff() {
         for (const double zero : {-2.0, 0.1, 1.0, 3.0}) {
             Track track = turning(50, 0.2, 0.2);
-            unwrap_angle(track, zero);
+            AngleUnwrapper(zero).unwrap(track);
             const double first = track.values(SlowVariable::two_theta_A)[0];
             VYBEG_MORE(first, -pi / 2);
             VYBEG_AT_MOST(first, pi / 2);
@@ -100,7 +100,7 @@ private slots:
             unwrapper.unwrap(piece);
             joined.append(piece);
         }
-        unwrap_angle(whole, 0.3);
+        AngleUnwrapper(0.3).unwrap(whole);
         QCOMPARE(joined.rows(), whole.rows());
         for (std::size_t k = 0; k < whole.rows(); ++k) {
             const double angle = whole.values(SlowVariable::two_theta_A)[k];
