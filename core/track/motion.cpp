@@ -85,12 +85,8 @@ void MotionMarker::take(const Track& next_rows, std::span<const char> no_wave, d
             judge_next();
         }
     }
-    // A few chunks of rows at a time, so that each row is moved about once.
-    const std::size_t needed = judged_ - std::min(judged_, apart_);
-    if (needed - first_held_ > held_.size() / 2) {
-        held_.erase(held_.begin(),
-                    held_.begin() + static_cast<std::ptrdiff_t>(needed - first_held_));
-        first_held_ = needed;
+    for (; first_held_ + apart_ < judged_; ++first_held_) {
+        held_.pop_front();
     }
 }
 
@@ -99,8 +95,8 @@ void MotionMarker::judge_next() {
     if (row < apart_) {
         return;
     }
-    const Row* const at = held_.data() + (row - first_held_);
-    if (bends(*(at - apart_), *at, *(at + apart_))) {
+    const std::size_t at = row - first_held_;
+    if (bends(held_[at - apart_], held_[at], held_[at + apart_])) {
         add(row - apart_, row + apart_ + 1, inside_);
     }
 }

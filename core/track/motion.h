@@ -3,6 +3,7 @@
 #include "core/track/track.h"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,11 +32,11 @@ class MotionMarker {
 public:
     // `f_correlation`: of errors of f, by hops.
     MotionMarker(std::int64_t length, std::int64_t hop, double rate_hz, double f0_hz,
-                 std::span<const double> f_correlation = {});
+                 std::span<const double> f_correlation);
 
     // `no_wave`, a flag a row: whether its window is known to hold no steady wave. `excess`: by
     // which the variances of the rows are known to be too small, at least 1.
-    void take(const Track& next_rows, std::span<const char> no_wave = {}, double excess = 1);
+    void take(const Track& next_rows, std::span<const char> no_wave, double excess);
     // Marked rows in ascending order; ranges do not overlap.
     std::vector<FlaggedRows> finish();
 
@@ -64,7 +65,7 @@ private:
     double slope_share_;
     // Variance of a second difference by that of a value: 6 for independent ones.
     double second_variance_ = 6;
-    std::vector<Row> held_;       // the last rows
+    std::deque<Row> held_;        // the last rows
     std::size_t first_held_ = 0;  // index of the first of them
     std::size_t rows_ = 0;
     std::size_t judged_ = 0;
