@@ -91,7 +91,7 @@ Result<double> carrier_in(const SampleSource& source, std::int64_t first, std::i
     const auto count = static_cast<std::size_t>(std::min(end - first, search_frames));
     const Result<Band> band = search_band(settings, count, rate_hz);
     if (band && source.seeks()) {
-        const SampleFeed read = [&](std::int64_t at, std::span<double> c, std::span<double> d) {
+        const ReadFrames read = [&](std::int64_t at, std::span<double> c, std::span<double> d) {
             return source.read(first + at, c, d);
         };
         const auto found =

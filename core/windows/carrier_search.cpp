@@ -73,7 +73,7 @@ void clear_missing(std::span<double> x) {
 }
 
 // Approximate frequency of the largest peak, from a few short segments.
-Result<std::optional<double>> coarse_peak(const SampleFeed& read, std::size_t count, double rate_hz,
+Result<std::optional<double>> coarse_peak(const ReadFrames& read, std::size_t count, double rate_hz,
                                           double low_hz, double high_hz) {
     std::vector<double> power(coarse_length / 2);
     std::vector<Complex> data(coarse_length);
@@ -257,7 +257,7 @@ private:
     Sums weighted_;  // in the Hann window
 };
 
-Result<Thinned> thin_out(const SampleFeed& read, std::size_t count, std::size_t step,
+Result<Thinned> thin_out(const ReadFrames& read, std::size_t count, std::size_t step,
                          std::size_t centre, const JobControl& job) {
     constexpr std::size_t portion = std::size_t{1} << 15;
     std::vector<double> c(std::min(portion + overlap * step, count));
@@ -407,7 +407,7 @@ double median_of(const std::vector<double>& power) {
 
 }  // namespace
 
-Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t count,
+Result<std::optional<double>> zoom_carrier(const ReadFrames& read, std::size_t count,
                                            double rate_hz, double low_hz, double high_hz,
                                            const JobControl& job) {
     if (count < least_length || !(low_hz < high_hz)) {
@@ -430,7 +430,7 @@ Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t c
 std::optional<double> zoom_carrier(std::span<const double> c, std::span<const double> d,
                                    double rate_hz, double low_hz, double high_hz,
                                    const JobControl& job) {
-    const SampleFeed read = [c, d](std::int64_t first, std::span<double> to_c,
+    const ReadFrames read = [c, d](std::int64_t first, std::span<double> to_c,
                                    std::span<double> to_d) {
         const auto at = static_cast<std::size_t>(first);
         std::ranges::copy(c.subspan(at, to_c.size()), to_c.begin());

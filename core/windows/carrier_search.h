@@ -2,12 +2,12 @@
 
 #include "core/base/job_control.h"
 #include "core/base/result.h"
+#include "core/recording/samples/sample_source.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -31,10 +31,8 @@ inline double peak_shift(double left, double here, double right) {
 // Empty if the result is not certain: power outside the band could make a peak as high; few
 // samples; a carrier next to 0 or to half the rate; a cancelled job.
 //
-// `read` fills both channels from a given sample on. Errors: those of `read`.
-using SampleFeed =
-    std::function<Status(std::int64_t first, std::span<double> c, std::span<double> d)>;
-Result<std::optional<double>> zoom_carrier(const SampleFeed& read, std::size_t count,
+// Errors: those of `read`.
+Result<std::optional<double>> zoom_carrier(const ReadFrames& read, std::size_t count,
                                            double rate_hz, double low_hz, double high_hz,
                                            const JobControl& job);
 
