@@ -70,12 +70,10 @@ double relative_sd(std::size_t count, std::size_t stride) {
 // Scatter of adjacent windows (hop = length) of one track, whose rows arrive in pieces.
 //
 // Scatter: sixth differences of seven neighbouring windows over sqrt(924), in units of the
-// Cramer-Rao bound of the window in the middle. The errors of adjacent windows in white noise are
-// independent, so that every order of differences has the same expectation, while a motion of the
-// angular frequency v enters with (2 sin(vT/2))^6: of a beat of 1 Hz in windows of 18 ms 7e-8 of
-// its amplitude remains, of first differences 8e-2. The unit of the bound makes windows of
-// different amplitude comparable. Values beyond four times the median's deviation do not count,
-// so that some disturbed windows do not matter.
+// Cramer-Rao bound of the window in the middle (README.md has the reasons). A motion of the angular
+// frequency v enters with (2 sin(vT/2))^6: of a beat of 1 Hz in windows of 18 ms 7e-8 of its
+// amplitude remains, of first differences 8e-2. Values beyond four times the median's deviation do
+// not count, so that some disturbed windows do not matter.
 //
 // Motion: second differences D of the same windows, x'' T^2, less the part of the scatter:
 // sqrt(<D^2> - 6 scatter^2) / 24.
