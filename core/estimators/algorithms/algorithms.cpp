@@ -1,8 +1,8 @@
-#include "core/estimators/algorithms/algorithms.h"
-
 #include "core/estimators/batch/carrier_sums.h"
 #include "core/estimators/batch/closed_forms.h"
+#include "core/estimators/batch/descent.h"
 #include "core/estimators/batch/window_estimate.h"
+#include "core/estimators/wave/estimator.h"
 #include "core/numerics/fractional_delay.h"
 #include "core/numerics/minimise.h"
 #include "core/numerics/phase.h"
@@ -18,7 +18,6 @@ namespace vybeg {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int most_steps = 200;
 
 // Estimates of a block, eight windows at a time by their series.
 class BlockEstimator : public Estimator {
@@ -57,9 +56,14 @@ protected:
         for_windows(
             block, out, [&](std::size_t first, std::size_t count) { fit(first, count, fits); },
             [&](std::size_t k, std::size_t lane, const Window& window, double power) {
-                return fits.arrived[lane] > 0
-                           ? complete_estimate(lane_of(fits, lane), power, window, options_)
-                           : alone(k, window);
+                if (!(fits.arrived[lane] > 0)) {
+                    return alone(k, window);
+                }
+                const SeriesFit<double> found = lane_of(fits, lane);
+                const double residual =
+                    residual_of(found.residual, power, window, found.wave.phasors, found.wave.w);
+                return complete_estimate(
+                    found.wave, {residual, without_motion(residual, found.motion)}, options_);
             });
     }
 
@@ -72,13 +76,12 @@ protected:
 
 // The article's algorithms 1 to 4: four parameters in closed form at a given frequency, and the
 // frequency from the minimum of J, (16), (25), (29), in one parameter.
+template <template <class> class Form, FitBatch fit_batch>
 class ClosedFormEstimator final : public BlockEstimator {
 public:
-    ClosedFormEstimator(Algorithm algorithm, const EstimatorOptions& options)
-        : BlockEstimator(options),
-          algorithm_(closed_form_algorithm(algorithm)),
-          quarter_period_(options.rate_hz / (4 * options.f0_hz)) {
-        if (algorithm_.delays) {
+    explicit ClosedFormEstimator(const EstimatorOptions& options)
+        : BlockEstimator(options), quarter_period_(options.rate_hz / (4 * options.f0_hz)) {
+        if (Form<double>::delays) {
             delay_.emplace(quarter_period_);
         }
     }
@@ -93,8 +96,7 @@ public:
         for_windows(
             block, out,
             [&](std::size_t, std::size_t) {
-                algorithm_.fit_batch(batch_, sums_.frame(),
-                                     form_frame(sums_.frame(), quarter_period_), fits);
+                fit_batch(batch_, sums_.frame(), form_frame(sums_.frame(), quarter_period_), fits);
             },
             [&](std::size_t, std::size_t lane, const Window& window, double power) {
                 if (!std::isfinite(batch_.cq[lane])) {
@@ -130,14 +132,15 @@ private:
 
     WaveEstimate complete(const Window& window, double power, double residual,
                           const WaveReport<double>& wave, const BestWave& best, Flags flags) const {
-        const double steady = without_motion(residual_of(power - best.power, power, window,
-                                                         parts_of(to_phasors(best.state)), best.w),
-                                             best.motion);
-        return complete_estimate(
-            wave,
-            {residual_of(residual, power, window, wave), steady, algorithm_.parameters,
-             static_cast<Flags>(algorithm_.flags | flags), &best},
-            options_);
+        const double of_best =
+            residual_of(power - best.power, power, window, phasors_of(turned(best.state)), best.w);
+        if (!Form<double>::has_quadrature) {
+            set(flags, Flag::no_quadrature);
+        }
+        return complete_estimate(wave,
+                                 {residual_of(residual, power, window, wave.phasors, wave.w),
+                                  without_motion(of_best, best.motion), flags, &best},
+                                 options_);
     }
 
     // Minimum of J by a search over the main lobe, for windows in which Newton's steps on the
@@ -149,7 +152,7 @@ private:
         const SampleProducts sum{batch_.cc[lane], batch_.dd[lane], batch_.cd[lane],
                                  batch_.cq[lane]};
         const double power = sum.cc + sum.dd;
-        const FormFrame form = form_frame(frame, quarter_period_);
+        const Form<double> form(sum, form_frame(frame, quarter_period_));
         const auto x_at = [&](double w) { return 0.5 * count * (w - frame.w0()); };
         // Within the reach of the series the kernel follows from the series.
         const auto kernel_at = [&](double w) {
@@ -166,11 +169,11 @@ private:
         // starts there.
         const ProfileMaximum best = maximise_profile(window, bracket_);
         const double lobe = 2 * pi / count;
-        const Minimum minimum = minimise(
-            [&](double w) { return power + algorithm_.functional(sum, form, jets_at(w), x_at(w)); },
-            bracket_.low, best.w, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);
+        const Minimum minimum =
+            minimise([&](double w) { return power + form.functional(jets_at(w), x_at(w)).value; },
+                     bracket_.low, best.w, bracket_.high, 1e-3 * lobe, 1e-9 * lobe);
         const double w = minimum.at;
-        const ClosedWave<double> closed = algorithm_.wave(sum, form, jets_at(w), x_at(w));
+        const ClosedWave<double> closed = form.at(jets_at(w), x_at(w));
         Flags flags = 0;
         if (minimum.at_bound) {
             set(flags, Flag::at_bound);
@@ -180,7 +183,6 @@ private:
                         best_wave(best.phasors, best.w, window), flags);
     }
 
-    ClosedFormAlgorithm algorithm_;
     double quarter_period_;  // of the carrier, samples
     std::optional<FractionalDelay> delay_;
 };
@@ -188,12 +190,6 @@ private:
 // Whether a sample of the span is missing (NaN).
 bool has_gap(std::span<const double> samples) {
     return std::any_of(samples.begin(), samples.end(), [](double x) { return !std::isfinite(x); });
-}
-
-// n F and its derivatives by a_A, a_B, 2theta_A, alpha and w.
-WaveFunctional<double> functional_at(const Window& window, const Five<double>& at) {
-    return evaluate_functional({{at[0], at[1], at[2], at[3]}, at[4]}, window_moments(window, at[4]),
-                               window_kernel(window.length(), at[4]));
 }
 
 // Algorithm 5: the article's conjugate gradient over all five parameters at once, with the analytic
@@ -224,48 +220,42 @@ public:
                 descend_batch(batch_, frame, start, fits);
             },
             [&](std::size_t k, const Window& window) {
-                const WaveParameters begin = start_values(window, centre_of(block, k, centre_s));
+                const Five<double> begin = start_values(window, centre_of(block, k, centre_s));
                 return estimate_of(descend(window, bracket_, begin), window);
             });
     }
 
 private:
     struct Previous {
-        WaveParameters parameters;
+        Five<double> at{};
         double centre_s = 0;
     };
 
     // The same wave at the centre of another window, with continuous tau = w u - alpha.
-    WaveParameters carried(const WaveParameters& from, double from_s, double to_s) const {
-        WaveParameters to = from;
+    Five<double> carried(Five<double> wave, double from_s, double to_s) const {
         // Wrapped, because the phase of a long recording would otherwise lose digits.
-        to.state.alpha = wrap(to.state.alpha - from.w * options_.rate_hz * (to_s - from_s));
-        return to;
+        wave[3] = wrap(wave[3] - wave[4] * options_.rate_hz * (to_s - from_s));
+        return wave;
     }
 
     double centre_of(const WindowBlock& block, std::size_t k, double first_s) const {
         return first_s + static_cast<double>(k) * static_cast<double>(block.hop) / options_.rate_hz;
     }
 
-    WaveParameters typed_start(double centre_s) const {
+    Five<double> typed_start(double centre_s) const {
         const double w = 2 * pi * options_.initial->f_hz / options_.rate_hz;
-        return carried({options_.initial->state, w}, options_.first_centre_s, centre_s);
+        return carried(five_of(options_.initial->state, w), options_.first_centre_s, centre_s);
     }
 
-    WaveParameters start_values(const Window& window, double centre_s) const {
-        if (options_.initial) {
-            return typed_start(centre_s);
-        }
-        return {in_phase_start(window, bracket_.centre), bracket_.centre};
+    Five<double> start_values(const Window& window, double centre_s) const {
+        return options_.initial ? typed_start(centre_s) : in_phase_start(window, bracket_.centre);
     }
 
-    void set_start(BatchStart& start, std::size_t lane, const WaveParameters& values,
+    void set_start(BatchStart& start, std::size_t lane, Five<double> values,
                    const TaylorFrame& frame) const {
-        const auto& [a_A, a_B, two_theta_A, alpha] = values.state;
-        const double x = 0.5 * static_cast<double>(options_.length) * (values.w - frame.w0());
-        const Five<double> five{a_A, a_B, two_theta_A, alpha, x};
-        for (std::size_t k = 0; k < five.size(); ++k) {
-            start[k][lane] = five[k];
+        values[4] = 0.5 * static_cast<double>(options_.length) * (values[4] - frame.w0());
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            start[k][lane] = values[k];
         }
     }
 
@@ -274,8 +264,9 @@ private:
         if (!descent.converged) {
             set(flags, Flag::not_converged);
         }
-        const WaveParameters& found = descent.parameters;
-        return complete_estimate(to_phasors(found.state), found.w, flags, window, options_);
+        const auto& [a_A, a_B, two_theta_A, alpha, w] = descent.at;
+        return complete_estimate(to_phasors({a_A, a_B, two_theta_A, alpha}), w, flags, window,
+                                 options_);
     }
 
     // Starts from the window before if that one converged.
@@ -286,10 +277,10 @@ private:
         }
         const Descent found =
             descend(window, bracket_,
-                    previous_ ? carried(previous_->parameters, previous_->centre_s, centre_s)
+                    previous_ ? carried(previous_->at, previous_->centre_s, centre_s)
                               : start_values(window, centre_s));
         if (found.converged) {
-            previous_ = Previous{found.parameters, centre_s};
+            previous_ = Previous{found.at, centre_s};
         }
         return estimate_of(found, window);
     }
@@ -336,78 +327,17 @@ public:
 
 }  // namespace
 
-WaveState in_phase_start(const Window& window, double w) {
-    const std::int64_t n = window.length();
-    const WindowJets<double> jets = jets_of(window_projections(window, w), window_kernel(n, w));
-    return InPhaseForm<double>(sample_products(window), {static_cast<double>(n)})
-        .at(jets, 0)
-        .wave.wave;
-}
-
-Descent descend(const Window& window, const FrequencyBracket& bracket,
-                const WaveParameters& start) {
-    const std::int64_t length = window.length();
-    const auto n = static_cast<double>(length);
-    const double edge = 1e-6 * (bracket.high - bracket.low);
-    const WaveState& state = start.state;
-    Five<double> at{state.a_A, state.a_B, state.two_theta_A, state.alpha,
-                    std::clamp(start.w, bracket.low + edge, bracket.high - edge)};
-    const double tolerance = descent_tolerance(at[4], length);
-    const double spread = window_kernel(length, at[4]).spread;
-    const auto ended = [&at](bool converged) {
-        return Descent{{{at[0], at[1], at[2], at[3]}, at[4]}, converged};
-    };
-    WaveFunctional<double> f = functional_at(window, at);
-    Preconditioner<double> scale(at, n, spread, 1);
-    Five<double> direction{};
-    int since_restart = 0;
-    for (int steps = 0; steps < most_steps; ++steps) {
-        if (since_restart == 0) {
-            scale = Preconditioner<double>(at, n, spread, 1);
-            direction = {};
-        }
-        const Five<double> scaled = scale.apply(f.gradient);
-        // g.M^-1.g / n is the mean squared change of the samples by the remaining steps.
-        if (dot(f.gradient, scaled) <= tolerance * tolerance * power_of(at) * n) {
-            return ended(is_positive(f.hessian));
-        }
-        const DescentWay<double> way = next_way(f, scaled, direction);
-        direction = way.direction;
-        // Point after the exact step, or after the first shorter step that descends. Where F is not
-        // convex along the direction, the preconditioned length of the direction is the step.
-        const double exact = way.curvature > 0 ? -way.slope / way.curvature : 1;
-        constexpr int most_halvings = 30;
-        int halving = 0;
-        for (double step = exact; halving < most_halvings; ++halving, step /= 2) {
-            const Five<double> to = moved(at, direction, step);
-            if (!bracket.contains(to[4])) {
-                continue;
-            }
-            const WaveFunctional<double> there = functional_at(window, to);
-            if (excess_of(there.value, f.value, step, way.slope) <= 0) {
-                at = to;
-                f = there;
-                break;
-            }
-        }
-        if (halving < most_halvings) {
-            since_restart = (since_restart + 1) % descent_restart;
-        } else if (since_restart == 0) {
-            return ended(false);
-        } else {
-            since_restart = 0;
-        }
-    }
-    return ended(false);
-}
-
 std::unique_ptr<Estimator> make_estimator(Algorithm algorithm, const EstimatorOptions& options) {
     switch (algorithm) {
         case Algorithm::in_phase:
+            return std::make_unique<ClosedFormEstimator<InPhaseForm, fit_in_phase>>(options);
         case Algorithm::phase_shift:
+            return std::make_unique<ClosedFormEstimator<PhaseShiftForm, fit_phase_shift>>(options);
         case Algorithm::moving_axes:
+            return std::make_unique<ClosedFormEstimator<MovingAxesForm, fit_moving_axes>>(options);
         case Algorithm::demodulation:
-            return std::make_unique<ClosedFormEstimator>(algorithm, options);
+            return std::make_unique<ClosedFormEstimator<DemodulationForm, fit_demodulation>>(
+                options);
         case Algorithm::conjugate_gradient: return std::make_unique<ConjugateGradient>(options);
         case Algorithm::maximum_likelihood: return std::make_unique<MaximumLikelihood>(options);
     }

@@ -62,18 +62,6 @@ VYBEG_INLINED inline void fit(const ProjectionBatch& batch, const TaylorFrame& f
     found.wave = report_batch(batch, frame, x, there.g, closed.phasors, closed.wave);
 }
 
-template <template <class> class Form>
-double functional(const SampleProducts& sum, const FormFrame& of, const WindowJets<double>& jets,
-                  double x) {
-    return Form<double>(sum, of).functional(jets, x).value;
-}
-
-template <template <class> class Form>
-ClosedWave<double> wave(const SampleProducts& sum, const FormFrame& of,
-                        const WindowJets<double>& jets, double x) {
-    return Form<double>(sum, of).at(jets, x);
-}
-
 }  // namespace
 
 VYBEG_DISPATCHED
@@ -98,23 +86,6 @@ VYBEG_DISPATCHED
 void fit_demodulation(const ProjectionBatch& __restrict batch, const TaylorFrame& __restrict frame,
                       const FormFrame& __restrict of, ClosedFit<Vec8>& __restrict found) {
     fit<DemodulationForm>(batch, frame, of, found);
-}
-
-ClosedFormAlgorithm closed_form_algorithm(Algorithm algorithm) {
-    switch (algorithm) {
-        case Algorithm::in_phase:
-            return {fit_in_phase,
-                    functional<InPhaseForm>,
-                    wave<InPhaseForm>,
-                    4,
-                    static_cast<Flags>(Flag::no_quadrature),
-                    false};
-        case Algorithm::phase_shift:
-            return {fit_phase_shift, functional<PhaseShiftForm>, wave<PhaseShiftForm>, 5, 0, true};
-        case Algorithm::moving_axes:
-            return {fit_moving_axes, functional<MovingAxesForm>, wave<MovingAxesForm>};
-        default: return {fit_demodulation, functional<DemodulationForm>, wave<DemodulationForm>};
-    }
 }
 
 }  // namespace vybeg

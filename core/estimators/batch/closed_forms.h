@@ -124,10 +124,18 @@ struct ClosedWave {
     OrientedWave<Real> wave;
 };
 
+// What holds of a form that does not say otherwise.
+struct AnyForm {
+    static constexpr bool has_quadrature = true;
+    static constexpr bool delays = false;  // needs S_D delayed by a quarter period
+};
+
 // Algorithm 1, (15)-(18) with the corrections of METHOD section 2: both signals in phase, no
 // quadrature.
 template <class Real>
-struct InPhaseForm {
+struct InPhaseForm : AnyForm {
+    static constexpr bool has_quadrature = false;
+
     Axes<Real> axes;
     Real a_A;
 
@@ -158,7 +166,9 @@ struct InPhaseForm {
 // Algorithm 2, (19)-(25) with the corrections of METHOD section 2: the quadrature from the
 // quarter-period delay of S_D.
 template <class Real>
-struct PhaseShiftForm {
+struct PhaseShiftForm : AnyForm {
+    static constexpr bool delays = true;
+
     Axes<Real> axes;
     Real quarter;  // averages
     Real cd;
@@ -238,7 +248,7 @@ struct PhaseShiftForm {
 // Algorithm 3, (26)-(30): the signals along and across the wave, then amplitude and phase of each,
 // one common frequency from (29).
 template <class Real>
-struct MovingAxesForm {
+struct MovingAxesForm : AnyForm {
     Axes<Real> axes;
     Real a_A;
     Real a_B;  // its modulus
@@ -272,7 +282,7 @@ struct MovingAxesForm {
 
 // Algorithm 4, (31)-(33) with the correction of METHOD section 2: phasors by synchronous averages.
 template <class Real>
-struct DemodulationForm {
+struct DemodulationForm : AnyForm {
     double n;
 
     VYBEG_INLINED DemodulationForm(const SampleProductsOf<Real>&, const FormFrame& frame)
@@ -305,20 +315,12 @@ struct ClosedFit {
 // Largest |x| at which J is evaluated by its series, with an error of 6e-11.
 inline constexpr double closed_form_reach = 0.2;
 
-// One of algorithms 1 to 4.
-struct ClosedFormAlgorithm {
-    // The fit of eight windows, by Newton's steps on the projections' series.
-    void (*fit_batch)(const ProjectionBatch& batch, const TaylorFrame& frame, const FormFrame& of,
+// The fit of eight windows, by Newton's steps on the projections' series.
+using FitBatch = void(const ProjectionBatch& batch, const TaylorFrame& frame, const FormFrame& of,
                       ClosedFit<Vec8>& found);
-    // n J of one window at one frequency less the power of the samples; also returns the wave.
-    double (*functional)(const SampleProducts& sum, const FormFrame& of,
-                         const WindowJets<double>& jets, double x);
-    ClosedWave<double> (*wave)(const SampleProducts& sum, const FormFrame& of,
-                               const WindowJets<double>& jets, double x);
-    int parameters = 5;
-    Flags flags = 0;
-    bool delays = false;  // needs S_D delayed by a quarter period
-};
-ClosedFormAlgorithm closed_form_algorithm(Algorithm algorithm);
+FitBatch fit_in_phase;
+FitBatch fit_phase_shift;
+FitBatch fit_moving_axes;
+FitBatch fit_demodulation;
 
 }  // namespace vybeg

@@ -131,12 +131,6 @@ BestWave best_wave(const Phasors& phasors, double w, const Window& window) {
             motion_power(jets, window_kernel(window.length(), w).spread)};
 }
 
-WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const Window& window,
-                               const EstimatorOptions& options) {
-    const double residual = residual_of(fit.residual, power, window, fit.wave);
-    return complete_estimate(fit.wave, {residual, without_motion(residual, fit.motion)}, options);
-}
-
 WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, const Window& window,
                                const EstimatorOptions& options) {
     const PhasorParts<double> parts = parts_of(phasors);
@@ -144,7 +138,7 @@ WaveEstimate complete_estimate(const Phasors& phasors, double w, Flags flags, co
     const double motion = best_wave(phasors, w, window).motion;
     return complete_estimate(report_wave(sample_products(window), w,
                                          window_kernel(options.length, w), parts, state_of(parts)),
-                             {residual, without_motion(residual, motion), 5, flags}, options);
+                             {residual, without_motion(residual, motion), flags}, options);
 }
 
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
@@ -152,7 +146,8 @@ WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fi
     const auto n = static_cast<double>(options.length);
     const double hertz = options.rate_hz / (2 * pi);
     WaveEstimate estimate;
-    estimate.noise = std::sqrt(fit.residual / (2 * n - fit.parameters));
+    const int parameters = has(fit.flags, Flag::no_quadrature) ? 4 : 5;
+    estimate.noise = std::sqrt(fit.residual / (2 * n - parameters));
     estimate.steady_noise = std::sqrt(fit.steady / steady_freedom(options.length));
     const EquivalentNoise noise =
         options.noise.value_or(EquivalentNoise{estimate.steady_noise, estimate.steady_noise});

@@ -81,10 +81,9 @@ WaveEstimate no_estimate(Flag flag);
 
 // Quality of a wave's fit in its window.
 struct WaveFit {
-    double residual = 0;  // n F, sum of squared residuals
-    double steady = 0;    // that of the best wave without the linear part of its motion
-    int parameters = 5;
-    Flags flags = 0;
+    double residual = 0;             // n F, sum of squared residuals
+    double steady = 0;               // that of the best wave without the linear part of its motion
+    Flags flags = 0;                 // no_quadrature: four parameters, otherwise five
     const BestWave* best = nullptr;  // algorithms 1 to 4
 };
 
@@ -93,10 +92,6 @@ struct WaveFit {
 // over the samples.
 double residual_of(double difference, double power, const Window& window,
                    const PhasorParts<double>& phasors, double w);
-inline double residual_of(double difference, double power, const Window& window,
-                          const WaveReport<double>& wave) {
-    return residual_of(difference, power, window, wave.phasors, wave.w);
-}
 
 // The residual without the power of the motion (motion_power()); a remainder within the rounding of
 // both is that rounding.
@@ -120,9 +115,6 @@ inline double steady_freedom(std::int64_t n) {
 // parameters degrees of freedom; standard deviations for the known noise, otherwise for the steady
 // noise of the window.
 WaveEstimate complete_estimate(const WaveReport<double>& wave, const WaveFit& fit,
-                               const EstimatorOptions& options);
-
-WaveEstimate complete_estimate(const SeriesFit<double>& fit, double power, const Window& window,
                                const EstimatorOptions& options);
 
 // The same with everything from the window itself, for a wave of five parameters.

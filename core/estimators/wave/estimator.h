@@ -124,9 +124,9 @@ struct EstimatorOptions {
     double rate_hz = 0;
     double f0_hz =
         0;  // carrier; the search is bracketed to its main lobe, |f - f0| < rate / length
-    StartRule start = StartRule::first;  // conjugate gradient only
-    std::optional<StartValues> initial;  // conjugate gradient only
-    double first_centre_s = 0;           // time to which initial->state.alpha refers
+    StartRule start = StartRule::first;                 // conjugate gradient only
+    std::optional<StartValues> initial = std::nullopt;  // conjugate gradient only
+    double first_centre_s = 0;                          // time to which initial->state.alpha refers
     // Known noise, for noise that is not white; otherwise it follows from the residual of each
     // window.
     std::optional<EquivalentNoise> noise = std::nullopt;

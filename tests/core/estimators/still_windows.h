@@ -47,4 +47,12 @@ inline WindowBlock block_of(const Samples& samples, std::int64_t n) {
     return {samples.c, samples.d, 0, n, n};
 }
 
+// The first `count` windows of a block.
+inline std::vector<WaveEstimate> estimates(Algorithm algorithm, const EstimatorOptions& options,
+                                           const WindowBlock& block, std::size_t count) {
+    std::vector<WaveEstimate> found(count);
+    make_estimator(algorithm, options)->estimate(block, 0, found);
+    return found;
+}
+
 }  // namespace vybeg::test

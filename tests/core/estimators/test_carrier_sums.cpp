@@ -5,6 +5,7 @@
 #include "core/estimators/batch/profile.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "tests/closeness.h"
+#include "tests/core/estimators/still_windows.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -15,11 +16,9 @@
 namespace test_carrier_sums {
 
 using namespace vybeg;
+using namespace vybeg::test;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double rate = 33333;
 
 struct Case {
     std::int64_t n = 0;
@@ -28,18 +27,13 @@ struct Case {
     double off_lobes = 0;  // the carrier told, from the one in the middle, in half main lobes
 };
 
-struct Signal {
-    std::vector<double> c;
-    std::vector<double> d;
-};
-
 constexpr double f0 = 5300;
 
 // A wave with quadrature and a little noise whose frequency is f0 in the middle.
-Signal drifting(std::int64_t frames, double drift_hz_s) {
+Samples drifting(std::int64_t frames, double drift_hz_s) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> gauss(0, 1e-4);
-    Signal signal;
+    Samples signal;
     for (std::int64_t j = 0; j < frames; ++j) {
         const double t = (static_cast<double>(j) - 0.5 * static_cast<double>(frames)) / rate;
         const double phase = 2 * pi * (f0 * t + 0.5 * drift_hz_s * t * t);
@@ -82,7 +76,7 @@ private slots:
         const auto count = static_cast<std::size_t>(
             hop * 2 <= n ? std::min<qint64>(2 * (n / hop), 300000 / hop + 1) : 8);
         const std::int64_t frames = static_cast<std::int64_t>(count - 1) * hop + n + 3;
-        const Signal signal = drifting(frames, drift);
+        const Samples signal = drifting(frames, drift);
         const double w0 = 2 * pi * (f0 / rate + off / static_cast<double>(n));
         CarrierSums sums(n, w0);
         const WindowBlock block{signal.c, signal.d, 3, n, hop};
@@ -134,25 +128,20 @@ private slots:
         constexpr std::int64_t n = 33333;
         constexpr std::int64_t hop = 500;
         constexpr std::size_t count = 40;
-        Signal signal = drifting(n + hop * static_cast<std::int64_t>(count), 0);
+        Samples signal = drifting(n + hop * static_cast<std::int64_t>(count), 0);
         for (std::size_t j = 0; j < signal.c.size(); ++j) {
             const double phase = 2 * pi * (f0 + 3.1) / rate * static_cast<double>(j);
             signal.c[j] += 2.5 * std::cos(phase);
             signal.d[j] += 2 * std::cos(phase);
         }
         for (const Algorithm algorithm : {Algorithm::maximum_likelihood, Algorithm::demodulation}) {
-            EstimatorOptions options;
-            options.length = n;
-            options.rate_hz = rate;
             for (const double told : {0.0, 0.3, 3.1}) {
-                options.f0_hz = f0 + told;
-                std::vector<WaveEstimate> found(count);
-                make_estimator(algorithm, options)
-                    ->estimate({signal.c, signal.d, 0, n, hop}, 0, found);
+                const EstimatorOptions options{.length = n, .rate_hz = rate, .f0_hz = f0 + told};
+                const WindowBlock block{signal.c, signal.d, 0, n, hop};
+                const auto found = estimates(algorithm, options, block, count);
                 for (std::size_t k = 0; k < count; ++k) {
                     const ProfileMaximum direct =
-                        maximise_profile(window_of({signal.c, signal.d, 0, n, hop}, k),
-                                         main_lobe(options.f0_hz, rate, n));
+                        maximise_profile(window_of(block, k), main_lobe(options.f0_hz, rate, n));
                     const double f = direct.w * rate / (2 * pi);
                     VYBEG_CLOSE(found[k].f_hz, f, 1e-3,
                                 qPrintable(QString("told %1, window %2").arg(told).arg(k)));
@@ -168,18 +157,14 @@ private slots:
         constexpr double drift = 0.2;
         constexpr std::size_t count = 100;
         const std::int64_t frames = n + hop * static_cast<std::int64_t>(count);
-        const Signal signal = drifting(frames, drift);
-        EstimatorOptions options;
-        options.length = n;
-        options.rate_hz = rate;
-        options.f0_hz = f0;
+        const Samples signal = drifting(frames, drift);
+        const EstimatorOptions options{.length = n, .rate_hz = rate, .f0_hz = f0};
         for (const Algorithm algorithm :
              {Algorithm::in_phase, Algorithm::phase_shift, Algorithm::moving_axes,
               Algorithm::demodulation, Algorithm::conjugate_gradient,
               Algorithm::maximum_likelihood}) {
-            std::vector<WaveEstimate> found(count);
-            make_estimator(algorithm, options)
-                ->estimate({signal.c, signal.d, 100, n, hop}, 0, found);
+            const auto found =
+                estimates(algorithm, options, {signal.c, signal.d, 100, n, hop}, count);
             for (std::size_t k = 0; k + 1 < count; ++k) {
                 const double centre = 100 + static_cast<double>(k) * hop + 0.5 * (n - 1) -
                                       0.5 * static_cast<double>(frames);

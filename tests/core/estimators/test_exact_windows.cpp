@@ -32,10 +32,7 @@ std::array<WaveEstimate, count> estimates(const std::array<Algorithm, count>& al
     std::vector<double> d;
     const double centre = static_cast<double>(margin) + 0.5 * static_cast<double>(n - 1);
     wave.samples(n + 2 * margin, centre, c, d);
-    EstimatorOptions options;
-    options.length = n;
-    options.rate_hz = wave.rate_hz;
-    options.f0_hz = f0_hz;
+    const EstimatorOptions options{.length = n, .rate_hz = wave.rate_hz, .f0_hz = f0_hz};
     std::array<WaveEstimate, count> found;
     for (std::size_t k = 0; k < count; ++k) {
         make_estimator(algorithms[k], options)

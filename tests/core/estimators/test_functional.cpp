@@ -1,5 +1,6 @@
 #include "core/estimators/batch/descent.h"
 #include "tests/closeness.h"
+#include "tests/core/estimators/still_windows.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -9,13 +10,9 @@
 namespace test_functional {
 
 using namespace vybeg;
+using test::Samples;
 
 namespace {
-
-struct Samples {
-    std::vector<double> c;
-    std::vector<double> d;
-};
 
 Samples noise(std::int64_t n, std::uint64_t seed) {
     std::mt19937_64 random(seed);
@@ -29,15 +26,16 @@ Samples noise(std::int64_t n, std::uint64_t seed) {
 }
 
 // n F straight from (6) and the samples.
-double direct(const Samples& s, const WaveParameters& p) {
+double direct(const Samples& s, const Five<double>& p) {
+    const auto& [a_A, a_B, two_theta_A, alpha, w] = p;
     const auto n = static_cast<double>(s.c.size());
     double sum = 0;
     for (std::size_t j = 0; j < s.c.size(); ++j) {
-        const double tau = p.w * (static_cast<double>(j) - (n - 1) / 2) - p.state.alpha;
-        const double a = p.state.a_A * std::cos(tau);
-        const double b = p.state.a_B * std::sin(tau);
-        const double cosine = std::cos(p.state.two_theta_A);
-        const double sine = std::sin(p.state.two_theta_A);
+        const double tau = w * (static_cast<double>(j) - (n - 1) / 2) - alpha;
+        const double a = a_A * std::cos(tau);
+        const double b = a_B * std::sin(tau);
+        const double cosine = std::cos(two_theta_A);
+        const double sine = std::sin(two_theta_A);
         const double c = s.c[j] - (a * cosine - b * sine);
         const double d = s.d[j] - (a * sine + b * cosine);
         sum += c * c + d * d;
@@ -45,20 +43,13 @@ double direct(const Samples& s, const WaveParameters& p) {
     return sum;
 }
 
-WaveParameters with(WaveParameters p, std::size_t k, double step) {
-    switch (k) {
-        case 0: p.state.a_A += step; break;
-        case 1: p.state.a_B += step; break;
-        case 2: p.state.two_theta_A += step; break;
-        case 3: p.state.alpha += step; break;
-        default: p.w += step;
-    }
+Five<double> with(Five<double> p, std::size_t k, double step) {
+    p[k] += step;
     return p;
 }
 
-WaveFunctional<double> evaluate(const Samples& s, const WaveParameters& p) {
-    return evaluate_functional(p, window_moments({s.c, s.d}, p.w),
-                               window_kernel(static_cast<std::int64_t>(s.c.size()), p.w));
+WaveFunctional<double> evaluate(const Samples& s, const Five<double>& p) {
+    return functional_at({s.c, s.d}, p);
 }
 
 }  // namespace
@@ -75,7 +66,7 @@ private slots:
             for (std::size_t j = 0; j < s.c.size(); ++j) {
                 power += s.c[j] * s.c[j] + s.d[j] * s.d[j];
             }
-            const WaveParameters p{{0.9, -0.4, 1.1, 2.2}, 0.97};
+            const Five<double> p{0.9, -0.4, 1.1, 2.2, 0.97};
             const double expected = direct(s, p);
             VYBEG_CLOSE(power + evaluate(s, p).value, expected, 1e-12 * expected);
         }
@@ -87,8 +78,8 @@ private slots:
         for (const std::int64_t n : {5, 22, 130}) {
             const Samples s = noise(n, static_cast<std::uint64_t>(n));
             for (int trial = 0; trial < 20; ++trial) {
-                const WaveParameters p{{1.3, 0.3 * angle(random), angle(random), angle(random)},
-                                       1.4 + 0.3 * angle(random)};
+                const Five<double> p{1.3, 0.3 * angle(random), angle(random), angle(random),
+                                     1.4 + 0.3 * angle(random)};
                 const WaveFunctional<double> f = evaluate(s, p);
                 // Errors of the differences: of second order in the step, relative to n times the
                 // power.

@@ -1,6 +1,6 @@
 // Closed forms and conjugate gradient of eight windows at once, against the same of one window by
 // itself.
-#include "core/estimators/algorithms/algorithms.h"
+#include "core/estimators/batch/descent.h"
 #include "core/estimators/batch/window_estimate.h"
 #include "core/estimators/wave/estimator.h"
 #include "tests/closeness.h"
@@ -42,29 +42,25 @@ private slots:
         constexpr std::size_t count = 43;
         const double f0 = 5300;
         const Samples samples = waves(n, count, f0, 0.03, noise, 23 + static_cast<unsigned>(n));
-        EstimatorOptions options;
-        options.length = n;
-        options.rate_hz = rate;
-        options.f0_hz = f0;
+        EstimatorOptions options{.length = n, .rate_hz = rate, .f0_hz = f0};
         if (typed) {
             options.initial = StartValues{{0.9, 0.2, 0.3, -1.1}, f0 + 0.01 * rate / n};
         }
-        std::vector<WaveEstimate> found(count);
-        make_estimator(Algorithm::conjugate_gradient, options)
-            ->estimate(block_of(samples, n), 0, found);
+        const auto found =
+            estimates(Algorithm::conjugate_gradient, options, block_of(samples, n), count);
         int compared = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const Window window = window_of(block_of(samples, n), k);
             const FrequencyBracket bracket = main_lobe(f0, rate, n);
-            WaveParameters start{in_phase_start(window, bracket.centre), bracket.centre};
+            Five<double> start = in_phase_start(window, bracket.centre);
             if (typed) {
-                start = {options.initial->state, 2 * pi * options.initial->f_hz / rate};
-                start.state.alpha = std::remainder(
-                    start.state.alpha - start.w * static_cast<double>(k) * n, 2 * pi);
+                start = five_of(options.initial->state, 2 * pi * options.initial->f_hz / rate);
+                start[3] = std::remainder(start[3] - start[4] * static_cast<double>(k) * n, 2 * pi);
             }
             const Descent descent = descend(window, bracket, start);
             QCOMPARE(has(found[k].flags, Flag::not_converged), !descent.converged);
-            const WaveState one = to_wave_state(to_phasors(descent.parameters.state));
+            const auto& [a_A, a_B, two_theta_A, alpha, w] = descent.at;
+            const WaveState one = to_wave_state(to_phasors({a_A, a_B, two_theta_A, alpha}));
             const double thin = 1 / std::max(1e-3, one.a_A - std::abs(one.a_B));
             // Five noisy samples may have more than one minimum, and which of them a long first
             // step leads to hangs on its last digit: both have F no larger than the other's there.
@@ -75,7 +71,7 @@ private slots:
             const double flat = 1 + 10 * found[k].sd.f_hz * n / rate;
             VYBEG_CLOSE(found[k].state.a_A, one.a_A, 1e-12 * flat);
             VYBEG_CLOSE(found[k].state.a_B, one.a_B, 1e-12 * flat);
-            VYBEG_CLOSE(found[k].f_hz * 2 * pi / rate, descent.parameters.w, 1e-11 * flat / n);
+            VYBEG_CLOSE(found[k].f_hz * 2 * pi / rate, w, 1e-11 * flat / n);
             if (!has(found[k].flags, Flag::circular)) {
                 VYBEG_CLOSE(std::remainder(found[k].state.two_theta_A - one.two_theta_A, pi), 0,
                             1e-12 * flat * thin);
@@ -112,18 +108,12 @@ private slots:
         const double f0 = 5300;
         const Samples samples = waves(n * 3, count, f0, 0.03, noise, 17 + static_cast<unsigned>(n));
         // Each window in the middle of its own wave, which goes on around it for the delay.
-        const auto estimates = [&](double carrier) {
-            EstimatorOptions options;
-            options.length = n;
-            options.rate_hz = rate;
-            options.f0_hz = carrier;
-            std::vector<WaveEstimate> found(count);
-            make_estimator(algorithm, options)
-                ->estimate({samples.c, samples.d, n, n, 3 * n}, 0, found);
-            return found;
+        const auto at = [&](double carrier) {
+            return estimates(algorithm, {.length = n, .rate_hz = rate, .f0_hz = carrier},
+                             {samples.c, samples.d, n, n, 3 * n}, count);
         };
-        const std::vector<WaveEstimate> by_series = estimates(f0);
-        const std::vector<WaveEstimate> by_search = estimates(f0 + 0.3 * rate / (pi * n));
+        const std::vector<WaveEstimate> by_series = at(f0);
+        const std::vector<WaveEstimate> by_search = at(f0 + 0.3 * rate / (pi * n));
         // The delay of algorithm 2 is made for the carrier: another one delays other noise.
         const bool delays = algorithm == Algorithm::phase_shift;
         const double tolerance = delays ? 1e-5 + noise : 1e-7;

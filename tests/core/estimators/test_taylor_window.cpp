@@ -85,13 +85,9 @@ private slots:
         QFETCH(double, noise);
         constexpr std::size_t count = 43;  // not a multiple of the lanes
         const Samples samples = waves(n, count, f0, off, noise, 11 + static_cast<unsigned>(n));
-        EstimatorOptions options;
-        options.length = n;
-        options.rate_hz = rate;
-        options.f0_hz = f0;
-        std::vector<WaveEstimate> found(count);
-        make_estimator(Algorithm::maximum_likelihood, options)
-            ->estimate(block_of(samples, n), 0, found);
+        const EstimatorOptions options{.length = n, .rate_hz = rate, .f0_hz = f0};
+        const auto found =
+            estimates(Algorithm::maximum_likelihood, options, block_of(samples, n), count);
         for (std::size_t k = 0; k < count; ++k) {
             const Window window = window_of(block_of(samples, n), k);
             const ProfileMaximum maximum = maximise_profile(window, main_lobe(f0, rate, n));
@@ -207,9 +203,9 @@ private slots:
     void a_long_window_is_estimated_as_by_itself() {
         for (const std::int64_t n : {1025, 33333, 131073, 400000}) {
             const Samples samples = waves(n, 1, 5300, 0.01, 1e-3, 5);
-            std::vector<WaveEstimate> found(1);
-            make_estimator(Algorithm::maximum_likelihood, {n, rate, 5300, StartRule::first, {}, 0})
-                ->estimate(block_of(samples, n), 0, found);
+            const auto found =
+                estimates(Algorithm::maximum_likelihood,
+                          {.length = n, .rate_hz = rate, .f0_hz = 5300}, block_of(samples, n), 1);
             const ProfileMaximum maximum =
                 maximise_profile({samples.c, samples.d}, main_lobe(5300, rate, n));
             const WaveState one = to_wave_state(maximum.phasors);
@@ -230,9 +226,9 @@ private slots:
         constexpr std::size_t bad = 1400;
         Samples samples = waves(n + hop * static_cast<std::int64_t>(count), 1, 5300, 0.01, 1e-3, 3);
         samples.d[bad] = std::numeric_limits<double>::quiet_NaN();
-        std::vector<WaveEstimate> found(count);
-        make_estimator(Algorithm::maximum_likelihood, {n, rate, 5300, StartRule::first, {}, 0})
-            ->estimate({samples.c, samples.d, 0, n, hop}, 0, found);
+        const auto found =
+            estimates(Algorithm::maximum_likelihood, {.length = n, .rate_hz = rate, .f0_hz = 5300},
+                      {samples.c, samples.d, 0, n, hop}, count);
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t start = k * hop;
             QCOMPARE(has(found[k].flags, Flag::gap), start <= bad && bad < start + n);
@@ -244,12 +240,11 @@ private slots:
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
             Samples samples = waves(60, 20, 5300, 0.01, 1e-3, 3);
             samples.d[60 * 9 + 59] = bad;
-            EstimatorOptions options{60, rate, 5300, StartRule::first, {}, 0};
+            const EstimatorOptions options{.length = 60, .rate_hz = rate, .f0_hz = 5300};
             for (const Algorithm algorithm :
                  {Algorithm::in_phase, Algorithm::moving_axes, Algorithm::demodulation,
                   Algorithm::maximum_likelihood}) {
-                std::vector<WaveEstimate> found(20);
-                make_estimator(algorithm, options)->estimate(block_of(samples, 60), 0, found);
+                const auto found = estimates(algorithm, options, block_of(samples, 60), 20);
                 for (std::size_t k = 0; k < found.size(); ++k) {
                     QCOMPARE(has(found[k].flags, Flag::gap), k == 9);
                     QCOMPARE(std::isnan(found[k].state.a_A), k == 9);
