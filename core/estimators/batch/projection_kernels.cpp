@@ -245,16 +245,7 @@ void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const 
     const auto at = [&](std::size_t lane) {
         return samples.from(static_cast<std::int64_t>(lane) * hop + cut.first);
     };
-    std::array<Vec8, lane_count> c_cos{};
-    std::array<Vec8, lane_count> c_sin{};
-    std::array<Vec8, lane_count> d_cos{};
-    std::array<Vec8, lane_count> d_sin{};
-    const auto keep = [&](std::size_t lane, const Series& sum) VYBEG_INLINED {
-        c_cos[lane] = sum.c_cos;
-        c_sin[lane] = sum.c_sin;
-        d_cos[lane] = sum.d_cos;
-        d_sin[lane] = sum.d_sin;
-    };
+    std::array<Series, lane_count> by_lane;
     if (cut.shifts.empty()) {
         const double* row = basis.row(cut.first);
         for (std::size_t lane = 0; lane < count; lane += 2) {
@@ -262,12 +253,12 @@ void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const 
             Series b;
             const std::size_t other = std::min(lane + 1, count - 1);
             project(a, at(lane), b, at(other), cut.length, row);
-            keep(lane, a);
-            keep(lane + 1, b);
+            by_lane[lane] = a;
+            by_lane[lane + 1] = b;
         }
     } else {
         for (std::size_t lane = 0; lane < count; ++lane) {
-            keep(lane, sum_of_segments(at(lane), cut, basis));
+            by_lane[lane] = sum_of_segments(at(lane), cut, basis);
         }
     }
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
@@ -277,24 +268,27 @@ void sum_cuts(SampleColumns samples, std::int64_t hop, std::size_t count, const 
         } else {
             products = {batch.cc[lane - 1], batch.dd[lane - 1], batch.cd[lane - 1],
                         batch.cq[lane - 1]};
-            keep(lane, {c_cos[lane - 1], c_sin[lane - 1], d_cos[lane - 1], d_sin[lane - 1]});
+            by_lane[lane] = by_lane[lane - 1];
         }
         batch.cc[lane] = products.cc;
         batch.dd[lane] = products.dd;
         batch.cd[lane] = products.cd;
         batch.cq[lane] = products.cq;
     }
-    const auto put = [](std::array<Vec8, lane_count>& by_lane,
-                        std::array<Lanes, taylor_orders>& by_order) VYBEG_INLINED {
-        transpose(by_lane);
+    const auto put = [&](Vec8 Series::*kind, TaylorSums& by_order) VYBEG_INLINED {
+        std::array<Vec8, lane_count> orders;
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            orders[lane] = by_lane[lane].*kind;
+        }
+        transpose(orders);
         for (std::size_t k = 0; k < taylor_orders; ++k) {
-            store(by_lane[k], by_order[k]);
+            store(orders[k], by_order[k]);
         }
     };
-    put(c_cos, batch.c_cos);
-    put(c_sin, batch.c_sin);
-    put(d_cos, batch.d_cos);
-    put(d_sin, batch.d_sin);
+    put(&Series::c_cos, batch.c_cos);
+    put(&Series::c_sin, batch.c_sin);
+    put(&Series::d_cos, batch.d_cos);
+    put(&Series::d_sin, batch.d_sin);
 }
 
 VYBEG_DISPATCHED
