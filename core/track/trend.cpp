@@ -23,14 +23,8 @@ constexpr std::size_t least_in_group = 4;  // points
 constexpr std::size_t least_trend_windows = 3;
 constexpr double decays_from = 2;  // standard deviations of the slope
 
-// A value of a slow variable for a trend, stored units or their logarithm; weight: 1/sd^2.
-struct TrendPoint {
-    double time_s = 0;
-    double value = 0;
-    double weight = 0;
-};
-
-using Points = std::vector<TrendPoint>;
+// Values of a slow variable (y, stored units or their logarithm) over time (x, s); weight: 1/sd^2.
+using Points = std::vector<LinePoint>;
 
 // The windows that count (trend.h).
 Points trend_points(const Track& track, SlowVariable variable, double from_s, double to_s,
@@ -57,7 +51,7 @@ Points trend_points(const Track& track, SlowVariable variable, double from_s, do
             continue;
         }
         if (wrapped && !found.empty()) {
-            value = nearest_branch(value, found.back().value, 2 * std::numbers::pi);
+            value = nearest_branch(value, found.back().y, 2 * std::numbers::pi);
         }
         // Each window with its own deviation: that of a short one rests on a hundred degrees of
         // freedom, too, so that weights do not favour windows whose deviations are too small by
@@ -84,8 +78,8 @@ Scatter scatter_about(const Points& points, int parameters,
         double weight = 0;
         double off = 0;
         for (; k < end; ++k) {
-            const TrendPoint& p = points[k];
-            const double residual = p.value - trend(p.time_s);
+            const LinePoint& p = points[k];
+            const double residual = p.y - trend(p.x);
             chi2 += p.weight * residual * residual;
             weight += p.weight;
             off += p.weight * residual;
@@ -127,15 +121,15 @@ Points averaged(const Points& points, std::size_t most) {
     Points means;
     means.reserve(points.size() / group + 1);
     for (std::size_t first = 0; first < points.size(); first += group) {
-        TrendPoint mean;
+        LinePoint mean{0, 0, 0};
         for (std::size_t k = first; k < std::min(first + group, points.size()); ++k) {
-            const TrendPoint& p = points[k];
+            const LinePoint& p = points[k];
             mean.weight += p.weight;
-            mean.time_s += p.weight * p.time_s;
-            mean.value += p.weight * p.value;
+            mean.x += p.weight * p.x;
+            mean.y += p.weight * p.y;
         }
-        mean.time_s /= mean.weight;
-        mean.value /= mean.weight;
+        mean.x /= mean.weight;
+        mean.y /= mean.weight;
         means.push_back(mean);
     }
     return means;
@@ -167,12 +161,12 @@ Fit linear_fit(const Points& points, double periods) {
     fit.x[frequency] = periods;
     double squares = 0;
     BeatVector derivative;
-    for (const TrendPoint& p : points) {
-        model(fit.x, p.time_s, derivative);
+    for (const LinePoint& p : points) {
+        model(fit.x, p.x, derivative);
         const auto basis = derivative.head<count>();
         normal.selfadjointView<Eigen::Lower>().rankUpdate(basis, p.weight);
-        right += p.weight * p.value * basis;
-        squares += p.weight * p.value * p.value;
+        right += p.weight * p.y * basis;
+        squares += p.weight * p.y * p.y;
     }
     const Eigen::Vector<double, count> found =
         normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
@@ -199,8 +193,8 @@ Fit refined(const Points& points, Fit fit) {
         right.setZero();
         double chi2 = 0;
         BeatVector derivative;
-        for (const TrendPoint& p : points) {
-            const double off = p.value - model(x, p.time_s, derivative);
+        for (const LinePoint& p : points) {
+            const double off = p.y - model(x, p.x, derivative);
             normal.selfadjointView<Eigen::Lower>().rankUpdate(derivative, p.weight);
             right += p.weight * off * derivative;
             chi2 += p.weight * off * off;
@@ -250,11 +244,11 @@ std::optional<Trend> line_trend(const Track& track, SlowVariable variable, doubl
     trend.windows = found.size();
     // About the first point: times and frequencies are large against what they change by.
     const LineFit line = fit_line(found.size(), [&found](std::size_t k) {
-        const TrendPoint& p = found[k];
-        return LinePoint{p.time_s - found[0].time_s, p.value - found[0].value, p.weight};
+        const LinePoint& p = found[k];
+        return LinePoint{p.x - found[0].x, p.y - found[0].y, p.weight};
     });
-    trend.centre_s = found[0].time_s + line.mean_x;
-    trend.value = found[0].value + line.mean_y;
+    trend.centre_s = found[0].x + line.mean_x;
+    trend.value = found[0].y + line.mean_y;
     trend.slope_per_s = line.slope;
     const Scatter scatter =
         scatter_about(found, 2, [&trend](double time_s) { return trend.at(time_s); });
@@ -289,13 +283,13 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     }
     Beat beat;
     beat.windows = points.size();
-    beat.centre_s = 0.5 * (points.front().time_s + points.back().time_s);
-    const double span = points.back().time_s - points.front().time_s;
+    beat.centre_s = 0.5 * (points.front().x + points.back().x);
+    const double span = points.back().x - points.front().x;
     // About the first value: frequencies are large against what they change by.
-    const double first = points.front().value;
-    for (TrendPoint& p : points) {
-        p.time_s = (p.time_s - beat.centre_s) / span;
-        p.value -= first;
+    const double first = points.front().y;
+    for (LinePoint& p : points) {
+        p.x = (p.x - beat.centre_s) / span;
+        p.y -= first;
     }
     points = averaged(points, fitted_points);
     const Fit fit = refined(points, search(averaged(points, searched_points)));
