@@ -257,11 +257,8 @@ Errors errors_of(const WaveEstimate& found, const WaveState& wave, double f0_hz)
 // where the algorithm has no value.
 Errors form_leakage(Algorithm algorithm, std::span<const WaveState> waves, std::int64_t n,
                     double f0_hz, double rate_hz) {
-    EstimatorOptions options;
-    options.length = n;
-    options.rate_hz = rate_hz;
-    options.f0_hz = f0_hz;
-    const auto estimator = make_estimator(algorithm, options);
+    const auto estimator =
+        make_estimator(algorithm, {.length = n, .rate_hz = rate_hz, .f0_hz = f0_hz});
     const std::int64_t context = estimator->context();
     const double w = 2 * pi * f0_hz / rate_hz;
     std::array<std::vector<double>, sweep_variable_count> of_waves;
