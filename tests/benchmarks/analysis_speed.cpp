@@ -10,6 +10,7 @@
 #include "core/simulation/simulate.h"
 #include "core/windows/carrier_search.h"
 #include "tests/benchmarks/ratio_table.h"
+#include "tests/needed.h"
 
 #include <openssl/evp.h>
 
@@ -71,16 +72,13 @@ private:
         decay.noise = 1e-3 * decay.a_A;
         decay.two_theta_A = k * std::numbers::pi / 4;
         decay.seed = static_cast<std::uint64_t>(k + 1);
-        Result<SimulatedDecay> samples = simulate(decay, {});
-        Result<OutputFile> file = OutputFile::create(path, {});
-        if (!samples || !file ||
-            !write_samples(*file, *sample_format(path),
-                           in_memory(samples->c, samples->d, decay.rate_hz, {})) ||
-            !file->commit()) {
-            fail("the recordings cannot be written");
-        }
+        SimulatedDecay samples = test::needed(simulate(decay, {}));
+        OutputFile file = test::needed(OutputFile::create(path, {}));
+        test::needed(write_samples(file, test::needed(sample_format(path)),
+                                   in_memory(samples.c, samples.d, decay.rate_hz, {})));
+        test::needed(file.commit());
         if (k == 0) {
-            first = std::move(*samples);
+            first = std::move(samples);
         }
     }
 

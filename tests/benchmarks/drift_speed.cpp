@@ -6,12 +6,12 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
+#include "tests/needed.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 namespace {
 
@@ -37,13 +37,9 @@ Recorded record(double drift_hz_s) {
     decay.noise = 1e-3 * decay.a_A;
     decay.tau_s = 400;
     decay.damping_anisotropy_per_s = 0;
-    Result<SimulatedDecay> simulated = simulate(decay, {});
-    if (!simulated) {
-        std::fputs("The decay cannot be simulated.\n", stderr);
-        std::exit(1);
-    }
+    SimulatedDecay simulated = test::needed(simulate(decay, {}));
     return {drift_hz_s,
-            std::make_shared<MemorySource>(std::move(simulated->c), std::move(simulated->d))};
+            std::make_shared<MemorySource>(std::move(simulated.c), std::move(simulated.d))};
 }
 
 struct Case {

@@ -6,18 +6,18 @@
 // solved anew for each window; and as ceres::TinySolver, its smallest solver, which has no overhead
 // of a problem's description and does little but evaluate the errors. The required ratios are
 // against the former.
-#include "core/estimators/algorithms/algorithms.h"
+#include "core/estimators/batch/descent.h"
 #include "core/estimators/wave/estimator.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
+#include "tests/needed.h"
 
 #include <array>
 #include <ceres/ceres.h>
 #include <ceres/tiny_solver.h>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <numbers>
 
 namespace {
@@ -35,12 +35,8 @@ struct Samples {
 Samples samples_of_the_article() {
     FreeDecay decay = demo_decay();
     decay.noise = 1e-3 * decay.a_A;
-    Result<SimulatedDecay> simulated = simulate(decay, {});
-    if (!simulated) {
-        std::fputs("The decay cannot be simulated.\n", stderr);
-        std::exit(1);
-    }
-    return {std::move(simulated->c), std::move(simulated->d), decay.rate_hz, decay.f0_hz};
+    SimulatedDecay simulated = test::needed(simulate(decay, {}));
+    return {std::move(simulated.c), std::move(simulated.d), decay.rate_hz, decay.f0_hz};
 }
 
 // The errors of one window and their derivatives by (a_A, a_B, 2theta_A, alpha, w), for TinySolver.
@@ -152,8 +148,7 @@ void by_ceres_solve(benchmark::State& state, const Samples& samples, std::int64_
     for ([[maybe_unused]] const auto _ : state) {
         for (std::int64_t k = 0; k < count; ++k) {
             const Window window = window_at(samples, n, k);
-            const WaveState start = in_phase_start(window, w0);
-            at = {start.a_A, 0, start.two_theta_A, start.alpha, w0};
+            at = in_phase_start(window, w0);
             cost.look_at(window);
             ceres::Solve(options, &problem, &summary);
             benchmark::DoNotOptimize(at);
@@ -172,9 +167,7 @@ void by_tiny_solver(benchmark::State& state, const Samples& samples, std::int64_
     for ([[maybe_unused]] const auto _ : state) {
         for (std::int64_t k = 0; k < count; ++k) {
             const Window window = window_at(samples, n, k);
-            const WaveState start = in_phase_start(window, w0);
-            Eigen::Matrix<double, 5, 1> at;
-            at << start.a_A, 0, start.two_theta_A, start.alpha, w0;
+            Eigen::Matrix<double, 5, 1> at(in_phase_start(window, w0).data());
             const WindowErrors errors(window);
             solver.Solve(errors, &at);
             benchmark::DoNotOptimize(at);
@@ -185,11 +178,8 @@ void by_tiny_solver(benchmark::State& state, const Samples& samples, std::int64_
 
 void by_estimator(benchmark::State& state, const Samples& samples, Algorithm algorithm,
                   std::int64_t n) {
-    EstimatorOptions options;
-    options.length = n;
-    options.rate_hz = samples.rate_hz;
-    options.f0_hz = samples.f0_hz;
-    const auto estimator = make_estimator(algorithm, options);
+    const auto estimator = make_estimator(
+        algorithm, {.length = n, .rate_hz = samples.rate_hz, .f0_hz = samples.f0_hz});
     const std::int64_t context = estimator->context();
     const std::int64_t count = windows_of(samples, n);
     std::vector<WaveEstimate> found(static_cast<std::size_t>(count));

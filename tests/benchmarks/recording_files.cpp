@@ -1,9 +1,9 @@
 #include "tests/benchmarks/recording_files.h"
 
-#include "core/base/error.h"
 #include "core/output/sample_files.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/needed.h"
 
 #include <sndfile.h>
 
@@ -14,21 +14,7 @@
 namespace vybeg::benchmarks {
 namespace {
 
-template <class Value>
-Value needed(Result<Value> result) {
-    if (!result) {
-        std::fprintf(stderr, "%s\n", english(result.error()).c_str());
-        std::exit(1);
-    }
-    return std::move(*result);
-}
-
-void needed(const Status& status) {
-    if (!status) {
-        std::fprintf(stderr, "%s\n", english(status.error()).c_str());
-        std::exit(1);
-    }
-}
+using test::needed;
 
 FreeDecay decay(int frames) {
     FreeDecay decay = demo_decay();

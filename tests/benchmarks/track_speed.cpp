@@ -5,6 +5,7 @@
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
 #include "tests/benchmarks/ratio_table.h"
+#include "tests/needed.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -12,7 +13,6 @@
 #include <tbb/task_arena.h>
 
 #include <cstdio>
-#include <cstdlib>
 
 namespace {
 
@@ -27,15 +27,11 @@ ConditionedRecording decay_in_memory(double seconds) {
     decay.seconds = seconds;
     decay.tau_s = 10 * seconds;  // the wave is there to the end
     decay.damping_anisotropy_per_s = 0;
-    Result<SimulatedDecay> simulated = simulate(decay, {});
-    if (!simulated) {
-        std::fputs("The decay cannot be simulated.\n", stderr);
-        std::exit(1);
-    }
+    SimulatedDecay simulated = test::needed(simulate(decay, {}));
     ConditionedRecording prepared;
-    prepared.end = static_cast<std::int64_t>(simulated->c.size());
+    prepared.end = static_cast<std::int64_t>(simulated.c.size());
     prepared.source =
-        std::make_shared<MemorySource>(std::move(simulated->c), std::move(simulated->d));
+        std::make_shared<MemorySource>(std::move(simulated.c), std::move(simulated.d));
     prepared.f0_hz = decay.f0_hz;
     return prepared;
 }
@@ -80,10 +76,7 @@ void estimate_alone(benchmark::State& state, const ConditionedRecording& prepare
         return;
     }
     std::vector<WaveEstimate> found(per_block * blocks);
-    EstimatorOptions options;
-    options.length = n;
-    options.rate_hz = 33333;
-    options.f0_hz = prepared.f0_hz;
+    const EstimatorOptions options{.length = n, .rate_hz = 33333, .f0_hz = prepared.f0_hz};
     tbb::enumerable_thread_specific<std::unique_ptr<Estimator>> estimators(
         [&] { return make_estimator(Algorithm::maximum_likelihood, options); });
     tbb::task_arena arena(threads);

@@ -4,8 +4,9 @@
 #include "core/recording/samples/sample_source.h"
 #include "core/simulation/free_decay.h"
 #include "core/simulation/simulate.h"
+#include "tests/needed.h"
 
-#include <QtTest>
+#include <cmath>
 
 namespace vybeg::test {
 
@@ -20,16 +21,20 @@ inline Recording recording_of(std::vector<double> c, std::vector<double> d, doub
 }
 
 inline SimulatedDecay simulated(const FreeDecay& decay) {
-    Result<SimulatedDecay> samples = simulate(decay, {});
-    if (!samples) {
-        qFatal("the simulation failed");
-    }
-    return std::move(*samples);
+    return needed(simulate(decay, {}));
 }
 
 inline Recording simulated_recording(const FreeDecay& decay) {
     SimulatedDecay samples = simulated(decay);
     return recording_of(std::move(samples.c), std::move(samples.d), decay.rate_hz);
+}
+
+inline double rms_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) {
+        sum += value * value;
+    }
+    return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 }  // namespace vybeg::test

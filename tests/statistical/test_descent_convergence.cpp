@@ -2,6 +2,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/settings.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -23,18 +24,15 @@ struct Outcome {
 
 Outcome compare(const Recording& recording, Settings settings) {
     settings.algorithm = Algorithm::maximum_likelihood;
-    const Result<Analysis> likelihood = analyse(recording, settings, {});
+    const Analysis likelihood = test::needed(analyse(recording, settings, {}));
     settings.algorithm = Algorithm::conjugate_gradient;
-    const Result<Analysis> descent = analyse(recording, settings, {});
-    if (!likelihood || !descent) {
-        qFatal("an analysis failed");
-    }
-    const auto least = likelihood->track.values(SlowVariable::rms);
-    const auto reached = descent->track.values(SlowVariable::rms);
+    const Analysis descent = test::needed(analyse(recording, settings, {}));
+    const auto least = likelihood.track.values(SlowVariable::rms);
+    const auto reached = descent.track.values(SlowVariable::rms);
     Outcome outcome;
     for (std::size_t k = 0; k < least.size(); ++k) {
         ++outcome.windows;
-        if (descent->track.flags()[k] == 0) {
+        if (descent.track.flags()[k] == 0) {
             ++outcome.converged;
             // F, relative to itself.
             outcome.elsewhere +=

@@ -1,6 +1,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/resonator_bound.h"
 #include "tests/statistical/simulated_recording.h"
@@ -79,11 +80,7 @@ ResonatorFit fit_of_seed(std::uint64_t seed) {
         decay.seed = random();
         runs.push_back(project(decay, 5300, 500));
     }
-    Result<ResonatorFit> fit = fit_resonator(runs, {}, {});
-    if (!fit) {
-        qFatal("the fit failed");
-    }
-    return std::move(*fit);
+    return test::needed(fit_resonator(runs, {}, {}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // what must be named is named.
 #include "core/analysis/identify.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -65,11 +66,7 @@ Identification identified(const Case& one, int seed) {
         run.seed = static_cast<std::uint64_t>(100 * seed) + k + 1;
         recordings.push_back(simulated_recording(run));
     }
-    Result<Identification> found = identify(recordings, one.settings, {});
-    if (!found) {
-        qFatal("the identification failed");
-    }
-    return std::move(*found);
+    return needed(identify(recordings, one.settings, {}));
 }
 
 std::vector<Number> numbers_of(const Case& one, const Identification& found) {

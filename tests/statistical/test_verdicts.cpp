@@ -8,6 +8,7 @@
 #include "core/resonator/runs/sum_of_modes.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/known_resonator.h"
+#include "tests/needed.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
@@ -45,12 +46,9 @@ ResonatorFit judged(std::span<const PhasorRun> runs) {
     if (std::ranges::any_of(runs, shares_projection)) {
         return *fit_one_projection(runs);
     }
-    Result<ResonatorFit> fit = fit_resonator(runs, {}, {});
-    if (!fit) {
-        qFatal("the fit failed");
-    }
-    judge_free_decay(runs, {}, {}, *fit);
-    return std::move(*fit);
+    ResonatorFit fit = needed(fit_resonator(runs, {}, {}));
+    judge_free_decay(runs, {}, {}, fit);
+    return fit;
 }
 
 QString texts(const std::vector<Diagnostic>& warnings) {

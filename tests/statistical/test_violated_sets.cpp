@@ -1,6 +1,7 @@
 #include "core/analysis/identify.h"
 #include "core/resonator/fit/map_fit.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/statistical/violated_sets.h"
 #include "tests/test_registry.h"
@@ -45,24 +46,21 @@ Tally tally(int count, const MakeSet& make, const FitOptions& options = {.spread
     std::vector<Tally> each(static_cast<std::size_t>(count));
     test::for_each_seed(count, [&](int k) {
         const test::ViolatedSet set = make(static_cast<std::uint64_t>(k) + 1);
-        const Result<ResonatorFit> fit = fit_resonator(set.runs, options, {});
-        if (!fit) {
-            qFatal("the fit failed");
-        }
+        const ResonatorFit fit = test::needed(fit_resonator(set.runs, options, {}));
         Tally& out = each[static_cast<std::size_t>(k)];
-        if (fit->left_out) {
-            (*fit->left_out == set.bad ? out.right : out.wrong) = 1;
-        } else if (test::has(*fit, DiagnosticKind::foreign_among)) {
-            (names(*fit, set.bad) ? out.among : out.elsewhere) = 1;
-        } else if (test::has(*fit, DiagnosticKind::set_inconsistent)) {
+        if (fit.left_out) {
+            (*fit.left_out == set.bad ? out.right : out.wrong) = 1;
+        } else if (test::has(fit, DiagnosticKind::foreign_among)) {
+            (names(fit, set.bad) ? out.among : out.elsewhere) = 1;
+        } else if (test::has(fit, DiagnosticKind::set_inconsistent)) {
             out.refused = 1;
-        } else if (test::has(*fit, DiagnosticKind::recordings_differ)) {
+        } else if (test::has(fit, DiagnosticKind::recordings_differ)) {
             out.spread = 1;
         } else {
             out.fits = 1;
         }
-        out.beyond = test::worst_pull(*fit, set.resonator) > 4 ? 1 : 0;
-        out.given = fit->resonator.split_hz.given() || fit->resonator.tau_s.given() ? 1 : 0;
+        out.beyond = test::worst_pull(fit, set.resonator) > 4 ? 1 : 0;
+        out.given = fit.resonator.split_hz.given() || fit.resonator.tau_s.given() ? 1 : 0;
     });
     Tally sum;
     for (const Tally& one : each) {
@@ -109,15 +107,12 @@ double misfit_of(const test::ViolatedSet& set, const test::ViolatedSet& faultles
 test::ViolatedSet set_of_misfit(double wanted, std::uint64_t seed) {
     const auto set = [&](double size) { return test::violated_set(SetKind::part, seed, size, 4); };
     const test::ViolatedSet faultless = set(0);
-    const Result<ResonatorFit> fit = fit_resonator(faultless.runs, {.spread = {}}, {});
-    if (!fit) {
-        qFatal("the fit failed");
-    }
+    const ResonatorFit fit = test::needed(fit_resonator(faultless.runs, {.spread = {}}, {}));
     // In proportion from a misfit far above the noise.
     constexpr double clear = 20;
     double size = 1e-3;
     for (int k = 0; k < 4; ++k) {
-        const double misfit = misfit_of(set(size), faultless, *fit);
+        const double misfit = misfit_of(set(size), faultless, fit);
         size = std::min(1.0, size * std::clamp(clear / std::max(misfit, 1e-3), 1e-3, 1e3));
     }
     size *= wanted / clear;

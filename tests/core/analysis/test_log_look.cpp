@@ -1,6 +1,7 @@
 // What a file tells of the log in it: its columns by their names, the frame, units; what it leaves
 // to be asked.
 #include "core/analysis/log_look.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QFile>
@@ -43,11 +44,7 @@ class TestLogLook : public QObject {
     }
 
     LogLook look(const QString& path, const LogChoice& told = {}) const {
-        const auto found = look_at_log(path.toStdU16String(), {}, told, JobControl());
-        if (!found) {
-            qFatal("no look");
-        }
-        return *found;
+        return test::needed(look_at_log(path.toStdU16String(), {}, told, JobControl()));
     }
 
 private slots:

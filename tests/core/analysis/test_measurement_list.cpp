@@ -5,6 +5,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/recording/samples/open_table.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QTemporaryDir>
@@ -70,11 +71,7 @@ class TestMeasurementList : public QObject {
 
     MeasurementList list(const QByteArray& text, const OpenOptions& open = {},
                          const IdentifySettings& settings = {}) const {
-        const auto list = read_measurement_list(write(text), open, settings);
-        if (!list) {
-            qFatal("%s", english(list.error()).c_str());
-        }
-        return *list;
+        return test::needed(read_measurement_list(write(text), open, settings));
     }
 
 private slots:

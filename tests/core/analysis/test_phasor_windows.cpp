@@ -8,6 +8,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -42,15 +43,8 @@ FreeDecay gyro() {
 
 RecordedRun phasors_of(const Recording& recording, const SignalSettings& settings,
                        std::int64_t window, int threads = 2) {
-    const Result<WindowChoice> choice = choose_windows(recording, settings, {.window = window}, {});
-    if (!choice) {
-        qFatal("the recording cannot be prepared");
-    }
-    Result<RecordedRun> found = phasor_windows(*choice, recording.rate_hz, threads, {});
-    if (!found) {
-        qFatal("no phasors");
-    }
-    return std::move(*found);
+    const auto choice = needed(choose_windows(recording, settings, {.window = window}, {}));
+    return needed(phasor_windows(choice, recording.rate_hz, threads, {}));
 }
 
 RecordedRun phasors_of(const FreeDecay& decay, std::int64_t window) {

@@ -9,6 +9,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/closeness.h"
 #include "tests/largest_of.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -58,11 +59,7 @@ Result<RecordedRun> windows_of(const Recording& recording, const SignalSettings&
 
 RecordedRun found_in(const SimulatedDecay& samples, double rate_hz,
                      const SignalSettings& settings) {
-    Result<RecordedRun> found = windows_of(recording_of(samples.c, samples.d, rate_hz), settings);
-    if (!found) {
-        qFatal("no phasors: %s", code_name(found.error().code).c_str());
-    }
-    return std::move(*found);
+    return needed(windows_of(recording_of(samples.c, samples.d, rate_hz), settings));
 }
 
 // Mean square of the errors in units of the deviations told; `parts` of lag-one products.

@@ -7,6 +7,7 @@
 #include "core/drift/whole_angle_drift.h"
 #include "tests/closeness.h"
 #include "tests/core/drift/simulated_log.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -36,11 +37,7 @@ constexpr ChannelTolerance exact{.kappa = 0};
 
 WholeAngleDrift drift_of(const std::vector<WholeAngleLog>& logs,
                          const ChannelTolerance& channels = exact) {
-    const Result<WholeAngleDrift> found = whole_angle_drift(logs, {}, channels);
-    if (!found) {
-        qFatal("%s", english(found.error()).c_str());
-    }
-    return *found;
+    return needed(whole_angle_drift(logs, {}, channels));
 }
 
 std::array<double, 5> truth_of(const HeldLoop& loop) {

@@ -5,6 +5,7 @@
 #include "core/drift/whole_angle_drift.h"
 #include "tests/closeness.h"
 #include "tests/core/drift/simulated_log.h"
+#include "tests/needed.h"
 #include "tests/statistical/each_seed.h"
 #include "tests/test_registry.h"
 
@@ -52,18 +53,14 @@ Pulls pulls_of(const std::function<void(HeldLoop&)>& noise) {
     for_each_seed(loops, [&](int seed) {
         HeldLoop loop = loop_of(seed);
         noise(loop);
-        const Result<WholeAngleDrift> found =
-            whole_angle_drift(std::vector{simulated_log(loop)}, {});
-        if (!found) {
-            qFatal("no drift");
-        }
+        const auto found = needed(whole_angle_drift(std::vector{simulated_log(loop)}, {}));
         const std::array truth{loop.turn, loop.c2,    loop.s2,      loop.c4,
                                loop.s4,   loop.tau_s, loop.split_hz};
         const std::lock_guard lock(mutex);
         for (std::size_t k = 0; k < truth.size(); ++k) {
-            const Estimate& estimate = k < 5    ? found->harmonics[k]
-                                       : k == 5 ? found->resonator.tau_s
-                                                : found->resonator.split_hz;
+            const Estimate& estimate = k < 5    ? found.harmonics[k]
+                                       : k == 5 ? found.resonator.tau_s
+                                                : found.resonator.split_hz;
             if (estimate.given()) {
                 pulls[k].push_back((estimate.value - truth[k]) / estimate.sd);
             }

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 #include "core/output/row_journal.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/small_files.h"
 #include "tests/test_registry.h"
 
@@ -37,11 +38,7 @@ class TestRowJournal : public QObject {
     QString path_;
 
     RowJournal open(bool resume) const {
-        auto journal = RowJournal::open(path_.toStdString(), resume);
-        if (!journal) {
-            qFatal("%s", english(journal.error()).c_str());
-        }
-        return std::move(*journal);
+        return needed(RowJournal::open(path_.toStdString(), resume));
     }
 
     void write_rows(int count) const {

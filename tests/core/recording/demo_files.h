@@ -5,6 +5,7 @@
 #include "core/simulation/simulate.h"
 #include "tests/core/recording/python_script.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/needed.h"
 
 // The demonstration decay for other programs to write in their formats.
 namespace vybeg::test {
@@ -13,11 +14,8 @@ namespace vybeg::test {
 inline Samples demo_second() {
     FreeDecay decay = demo_decay();
     decay.seconds = 1;
-    auto simulated = simulate(decay, {});
-    if (!simulated) {
-        qFatal("%s", english(simulated.error()).c_str());
-    }
-    return {std::move(simulated->c), std::move(simulated->d)};
+    auto simulated = needed(simulate(decay, {}));
+    return {std::move(simulated.c), std::move(simulated.d)};
 }
 
 // Runs a script that finds the samples as the NumPy vectors c and d, and their rate as fs.
@@ -42,11 +40,7 @@ with h5py.File('run.h5', 'w') as plain, h5py.File('packed.h5', 'w') as packed:
 )";
 
 inline std::shared_ptr<const FileBytes> file_at(const std::filesystem::path& path) {
-    const auto file = FileBytes::open(path);
-    if (!file) {
-        qFatal("%s", english(file.error()).c_str());
-    }
-    return *file;
+    return needed(FileBytes::open(path));
 }
 
 // Every sample rounded to 32 bit float.

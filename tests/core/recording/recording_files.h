@@ -6,6 +6,7 @@
 #include "core/recording/samples/open_options.h"
 #include "core/recording/samples/recording.h"
 #include "tests/core/recording/source_reading.h"
+#include "tests/needed.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,11 +56,7 @@ inline Result<Recording> open(const std::filesystem::path& path, const OpenOptio
 
 // Opens a file that must open.
 inline Recording opened(const std::filesystem::path& path, const OpenOptions& options = {}) {
-    const auto recording = open(path, options);
-    if (!recording) {
-        qFatal("%s", english(recording.error()).c_str());
-    }
-    return *recording;
+    return needed(open(path, options));
 }
 
 // Channel D has a file of its own.

@@ -4,6 +4,7 @@
 #include "core/analysis/analyse.h"
 #include "core/residuals/find_residuals.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 
 #include <algorithm>
@@ -29,20 +30,12 @@ inline Settings windows_of(std::int64_t length, std::int64_t hop = 0) {
 }
 
 inline Analysis analysed(const Recording& recording, const Settings& settings) {
-    Result<Analysis> analysis = analyse(recording, settings, {});
-    if (!analysis) {
-        qFatal("the analysis failed");
-    }
-    return std::move(*analysis);
+    return needed(analyse(recording, settings, {}));
 }
 
 inline Residuals residuals(const Recording& recording, const Analysis& analysis,
                            const ResidualRange& range = {}) {
-    Result<Residuals> found = find_residuals(recording, analysis, range, {});
-    if (!found) {
-        qFatal("the residuals failed");
-    }
-    return std::move(*found);
+    return needed(find_residuals(recording, analysis, range, {}));
 }
 
 inline const ResidualLine* line_near(const Residuals& found, double f_hz) {

@@ -3,6 +3,7 @@
 #include "core/residuals/signal_curves.h"
 #include "tests/closeness.h"
 #include "tests/core/residuals/simulated_residuals.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -30,27 +31,11 @@ struct KnownSignal {
 
 SignalSource source_of(const Recording& recording, const Settings& settings) {
     const auto analysis = std::make_shared<const Analysis>(analysed(recording, settings));
-    Result<SignalSource> source = signal_source(recording, analysis, {});
-    if (!source) {
-        qFatal("the samples cannot be conditioned");
-    }
-    return std::move(*source);
+    return needed(signal_source(recording, analysis, {}));
 }
 
 SignalExcerpt excerpt_of(const SignalSource& source, std::int64_t first, std::int64_t count) {
-    Result<SignalExcerpt> excerpt = signal_excerpt(source, first, count, {});
-    if (!excerpt) {
-        qFatal("the excerpt cannot be read");
-    }
-    return std::move(*excerpt);
-}
-
-double rms_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) {
-        sum += value * value;
-    }
-    return std::sqrt(sum / static_cast<double>(values.size()));
+    return needed(signal_excerpt(source, first, count, {}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/needed.h"
 
 #include <QtTest>
 
@@ -31,11 +32,7 @@ inline std::vector<PhasorRun> set_of(const FreeDecay& decay, const std::vector<d
 }
 
 inline ResonatorFit fitted(const std::vector<PhasorRun>& runs, const FitOptions& options = {}) {
-    Result<ResonatorFit> fit = fit_resonator(runs, options, {});
-    if (!fit) {
-        qFatal("the fit failed");
-    }
-    return std::move(*fit);
+    return needed(fit_resonator(runs, options, {}));
 }
 
 // The article's case, four starts 22.5 degrees apart, is `reference` over these angles.

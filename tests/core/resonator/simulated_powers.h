@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/resonator/results/power_fit.h"
 #include "core/resonator/results/resonator_parameters.h"
+#include "tests/needed.h"
 
 #include <QtTest>
 
@@ -116,11 +117,7 @@ inline FitOptions known_channels() {
 
 inline ResonatorEstimate resonator_of(const std::vector<PowerRun>& set,
                                       const FitOptions& options = known_channels()) {
-    const Result<PowerFit> found = fit_powers(set, options, {});
-    if (!found) {
-        qFatal("%s", english(found.error()).c_str());
-    }
-    return found->fit.resonator;
+    return needed(fit_powers(set, options, {})).fit.resonator;
 }
 
 // The truth under the names of the estimates.

@@ -2,6 +2,7 @@
 #include "core/resonator/runs/run_track.h"
 #include "tests/closeness.h"
 #include "tests/core/resonator/simulated_phasors.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QtTest>
@@ -33,11 +34,7 @@ double mean_square(const ChannelBalance& balance) {
 ChannelBalance balance_of(const PhasorRun& run) {
     FitOptions options{.model = FitOptions::Model::structured};
     options.tolerance.kappa = 0;
-    const Result<ResonatorFit> fit = fit_resonator({&run, 1}, options, {});
-    if (!fit) {
-        qFatal("no fit");
-    }
-    return channel_balance(run, fit->motion, 0, 100);
+    return channel_balance(run, needed(fit_resonator({&run, 1}, options, {})).motion, 0, 100);
 }
 
 }  // namespace

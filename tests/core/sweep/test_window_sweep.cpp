@@ -3,6 +3,7 @@
 #include "core/simulation/simulate.h"
 #include "core/sweep/window_sweep.h"
 #include "tests/closeness.h"
+#include "tests/needed.h"
 #include "tests/statistical/simulated_recording.h"
 #include "tests/test_registry.h"
 
@@ -48,11 +49,7 @@ Settings with(Algorithm algorithm) {
 
 WindowSweep sweep_of(const Recording& recording, const std::vector<std::int64_t>& lengths,
                      const Settings& settings = {}) {
-    Result<WindowSweep> found = sweep_windows(recording, settings, lengths, JobControl());
-    if (!found) {
-        qFatal("the sweep failed");
-    }
-    return std::move(*found);
+    return test::needed(sweep_windows(recording, settings, lengths, JobControl()));
 }
 
 WindowSweep sweep_of(const FreeDecay& decay, const std::vector<std::int64_t>& lengths,
@@ -62,19 +59,7 @@ WindowSweep sweep_of(const FreeDecay& decay, const std::vector<std::int64_t>& le
 
 Track track_of(const FreeDecay& decay, std::int64_t window, Settings settings = {}) {
     settings.window = window;
-    Result<Analysis> analysis = analyse(test::simulated_recording(decay), settings, JobControl());
-    if (!analysis) {
-        qFatal("the analysis failed");
-    }
-    return std::move(analysis->track);
-}
-
-double rms_of(const std::vector<double>& x) {
-    double sum = 0;
-    for (const double value : x) {
-        sum += value * value;
-    }
-    return std::sqrt(sum / static_cast<double>(x.size()));
+    return test::needed(analyse(test::simulated_recording(decay), settings, JobControl())).track;
 }
 
 // Differences of two tracks, of angles modulo a half turn.
@@ -153,7 +138,7 @@ private slots:
         }
         // 72 numbers of sd 1: their root mean square is known to 8 %; two parts in a hundred are
         // the noise of the bound.
-        VYBEG_CLOSE(rms_of(off), 1, 0.3);
+        VYBEG_CLOSE(test::rms_of(off), 1, 0.3);
     }
 
     void slow_motion_does_not_move_the_scatter() {
@@ -175,7 +160,7 @@ private slots:
                 for (std::size_t k = 1; k < angle.size(); ++k) {
                     steps.push_back((angle[k] - angle[k - 1]) / std::sqrt(2.0));
                 }
-                VYBEG_MORE(rms_of(steps), 50 * each.values[two_theta_A].scatter);
+                VYBEG_MORE(test::rms_of(steps), 50 * each.values[two_theta_A].scatter);
             }
         }
     }
@@ -188,7 +173,7 @@ private slots:
         const Track track = track_of(decay, 600);
         const Track truth = *true_track(decay, 600);
         for (const std::size_t v : {a_B, two_theta_A}) {
-            const double shift = rms_of(differences(track, truth, main_slow_variables[v]));
+            const double shift = test::rms_of(differences(track, truth, main_slow_variables[v]));
             // x'' T^2/24 is the shift of a mean; the wave of a window follows its phasors, whose
             // turn adds another term of this size.
             VYBEG_MORE(found.values[v].motion, shift / 1.6);
@@ -235,7 +220,7 @@ private slots:
                 std::vector<double> errors = differences(track, truth, variable);
                 errors.erase(errors.begin());  // the delay reaches beyond the samples
                 errors.pop_back();
-                VYBEG_CLOSE(leakage, rms_of(errors), 0.1 * rms_of(errors) + 1e-8,
+                VYBEG_CLOSE(leakage, test::rms_of(errors), 0.1 * test::rms_of(errors) + 1e-8,
                             qPrintable(where));
             }
         }

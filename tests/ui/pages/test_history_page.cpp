@@ -2,6 +2,7 @@
 #include "core/database/results_database.h"
 #include "tests/closeness.h"
 #include "tests/core/database/made_result.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/heartbeat.h"
@@ -52,11 +53,8 @@ class TestHistoryPage : public QObject, private WindowTest {
     QString database(const char* name, int results, int gyros = 1, int out = -1,
                      const QString& recording = {}, double rise = 0) const {
         const QString path = home_.path(name);
-        auto made =
-            ResultsDatabase::open(path.toStdString(), ResultsDatabase::Access::write, JobControl());
-        if (!made) {
-            qFatal("no database");
-        }
+        auto made = test::needed(ResultsDatabase::open(
+            path.toStdString(), ResultsDatabase::Access::write, JobControl()));
         SqliteConnection connection(path.toStdString(), [](int) { return true; });
         SqliteTransaction transaction(connection, "BEGIN IMMEDIATE");
         std::mt19937 random(7);

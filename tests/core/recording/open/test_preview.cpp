@@ -5,6 +5,7 @@
 #include "core/recording/open/preview.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <ctime>
@@ -18,11 +19,7 @@ using namespace vybeg::test;
 namespace {
 
 RecordingPreview shown(const std::filesystem::path& path, const OpenOptions& options = {}) {
-    const auto preview = preview_recording(path, options, {});
-    if (!preview) {
-        qFatal("%s", english(preview.error()).c_str());
-    }
-    return *preview;
+    return needed(preview_recording(path, options, {}));
 }
 
 std::string rows(int count, char separator, bool timed) {

@@ -2,6 +2,7 @@
 #include "core/recording/text/csv_rows.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/needed.h"
 #include "tests/test_registry.h"
 
 #include <QTest>
@@ -23,11 +24,7 @@ class TestCsvRows : public QObject {
     Folder folder_;
 
     CsvRows table(std::string_view text) const {
-        const auto table = read_csv(folder_.write("list.csv", text), "file");
-        if (!table) {
-            qFatal("%s", english(table.error()).c_str());
-        }
-        return *table;
+        return needed(read_csv(folder_.write("list.csv", text), "file"));
     }
 
     QString fault(std::string_view text) const {

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/recording/times/time_grid.h"
 #include "tests/core/recording/recording_files.h"
+#include "tests/needed.h"
 
 #include <cmath>
 #include <cstdio>
@@ -55,11 +56,7 @@ inline std::string text_of(const std::vector<double>& times, const char* format)
 }
 
 inline UniformSamples gridded(const TimedSamples& samples) {
-    const auto grid = to_uniform_grid(samples, "run.csv");
-    if (!grid) {
-        qFatal("%s", english(grid.error()).c_str());
-    }
-    return *grid;
+    return needed(to_uniform_grid(samples, "run.csv"));
 }
 
 }  // namespace vybeg::test
