@@ -363,51 +363,59 @@ PlotPanel::PlotPanel(QCustomPlot* plot, SlowVariable variable, PlotHead head)
     : TimePanel(plot, head), variable_(variable) {}
 
 void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
-    units_ = content.units;
+    const DisplayUnits& units = content.units;
+    bands_ = units.sigma_bands && info(variable_).has_sd;
     marks_s_ = content.marks_s;
     setLook(content.theme, font);
     removeGraphs();
-    const DisplayScale scale =
-        displayScale(variable_, units_, referenceFrequency(content.analyses));
+    const DisplayScale scale = displayScale(variable_, units, referenceFrequency(content.analyses));
     for (const ShownAnalysis& shown : content.analyses) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
         const DecimatedGraph::Look look{
-            scale, units_.sigma_bands && info(variable_).has_sd,
+            scale, bands_,
             static_cast<double>(graphs_.size()) / static_cast<double>(content.analyses.size()),
             readable(shown.color, theme(), shown.shade), theme().warning};
         graphs_.push_back(
             new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_), look, graphs_));
     }
-    const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
-    if (found != content.trends.end()) {
-        trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
-        QVector<double> values(found->value.begin(), found->value.end());
-        const auto of = std::ranges::find(content.analyses, found->of, &ShownAnalysis::id);
-        if (isWrapped(variable_) && of != content.analyses.end() && !values.empty()) {
-            // Onto the branch of its curve.
-            const qsizetype middle = values.size() / 2;
-            const auto curve = of->curve(variable_);
-            const std::size_t row = curve->nearest(found->time_s[static_cast<std::size_t>(middle)]);
-            const double turn = 2 * std::numbers::pi * scale.factor;
-            const double on_curve = scale.value(curve->value(row));
-            const double off = nearest_branch(values[middle], on_curve, turn) - values[middle];
-            for (double& value : values) {
-                value += std::isfinite(off) ? off : 0;
-            }
-        }
-        trend_->setData(QVector<double>(found->time_s.begin(), found->time_s.end()), values, true);
-        trend_->setPen(QPen(theme().text, 1.6, Qt::DashLine));
-        trend_->setSelectable(QCP::stNone);
-    }
+    addTrend(content, scale);
     const bool degrees =
-        info(variable_).quantity == Quantity::angle && units_.angle == AngleUnit::degrees;
+        info(variable_).quantity == Quantity::angle && units.angle == AngleUnit::degrees;
     valueTicker().setSteps(degrees ? TickSteps::degrees : TickSteps::decimal);
     valueTicker().setLogarithmic(scale.logarithmic);
     valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    setScaleShown(std::ranges::any_of(
-        graphs_, [](const DecimatedGraph* graph) { return !graph->data().empty(); }));
+    const QString empty = emptyText();
+    setScaleShown(!graphs_.empty() && empty.isEmpty());
+    const QString unit = displayUnit(variable_, units);
+    setTexts({displaySymbol(variable_, units), unit, takesPrefix(variable_, units),
+              unit.isEmpty() || unit == QStringLiteral("°") ? unit : ' ' + unit, empty});
+}
+
+void PlotPanel::addTrend(const PlotContent& content, const DisplayScale& scale) {
+    const auto found = std::ranges::find(content.trends, variable_, &TrendCurve::variable);
+    if (found == content.trends.end()) {
+        return;
+    }
+    trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
+    QVector<double> values(found->value.begin(), found->value.end());
+    const auto of = std::ranges::find(content.analyses, found->of, &ShownAnalysis::id);
+    if (isWrapped(variable_) && of != content.analyses.end() && !values.empty()) {
+        // Onto the branch of its curve.
+        const qsizetype middle = values.size() / 2;
+        const auto curve = of->curve(variable_);
+        const std::size_t row = curve->nearest(found->time_s[static_cast<std::size_t>(middle)]);
+        const double turn = 2 * std::numbers::pi * scale.factor;
+        const double on_curve = scale.value(curve->value(row));
+        const double off = nearest_branch(values[middle], on_curve, turn) - values[middle];
+        for (double& value : values) {
+            value += std::isfinite(off) ? off : 0;
+        }
+    }
+    trend_->setData(QVector<double>(found->time_s.begin(), found->time_s.end()), values, true);
+    trend_->setPen(QPen(theme().text, 1.6, Qt::DashLine));
+    trend_->setSelectable(QCP::stNone);
 }
 
 void PlotPanel::removeGraphs() {
@@ -425,39 +433,21 @@ AxisRange PlotPanel::automaticValues() const {
     bool logarithmic = false;
     for (const DecimatedGraph* graph : graphs_) {
         logarithmic = graph->scale().logarithmic;
-        range.add(graph->columns(time(), expectedSize().width()), graph->scale(),
-                  units_.sigma_bands && info(variable_).has_sd);
+        range.add(graph->columns(time(), expectedSize().width()), graph->scale(), bands_);
     }
     return range.range(logarithmic).value_or(logarithmic ? AxisRange{0.1, 1} : AxisRange{0, 1});
 }
 
-QString PlotPanel::offset(const AxisTicks& ticks) const {
-    if (ticks.offset == 0) {
-        return {};
-    }
-    const QString unit = displayUnit(variable_, units_);
-    return ticks.offsetText() + (unit.isEmpty() || unit == QStringLiteral("°") ? unit : ' ' + unit);
-}
-
-QString PlotPanel::unit(const AxisTicks& ticks) const {
-    return scaledUnit(displayUnit(variable_, units_), takesPrefix(variable_, units_),
-                      ticks.exponent);
-}
-
 QString PlotPanel::emptyText() const {
-    const bool has_analyses = !graphs_.empty();
-    const bool nothing =
-        std::all_of(graphs_.begin(), graphs_.end(),
-                    [](const DecimatedGraph* graph) { return graph->data().empty(); });
-    if (!has_analyses || !nothing) {
+    const bool some = std::ranges::any_of(
+        graphs_, [](const DecimatedGraph* graph) { return !graph->data().empty(); });
+    if (graphs_.empty() || some) {
         return {};
     }
-    const bool by_design =
-        std::all_of(graphs_.begin(), graphs_.end(), [](const DecimatedGraph* graph) {
-            const auto flags = graph->data().analysis().track.flags();
-            return std::all_of(flags.begin(), flags.end(),
-                               [](Flags f) { return has(f, Flag::no_quadrature); });
-        });
+    const bool by_design = std::ranges::all_of(graphs_, [](const DecimatedGraph* graph) {
+        return std::ranges::all_of(graph->data().analysis().track.flags(),
+                                   [](Flags f) { return has(f, Flag::no_quadrature); });
+    });
     return by_design && variable_ == SlowVariable::a_B
                ? QCoreApplication::translate("PlotPanel", "not estimated by this algorithm")
                : QCoreApplication::translate("PlotPanel", "no window has a value");
@@ -465,19 +455,15 @@ QString PlotPanel::emptyText() const {
 
 void PlotPanel::draw(QCPPainter* painter) {
     TimePanel::draw(painter);
-    drawMarks(*painter);
-}
-
-void PlotPanel::drawMarks(QCPPainter& painter) const {
-    painter.setAntialiasing(false);
-    painter.setPen(QPen(theme().mutedText, 1, Qt::DotLine));
+    painter->setAntialiasing(false);
+    painter->setPen(QPen(theme().mutedText, 1, Qt::DotLine));
     double last = -std::numeric_limits<double>::infinity();
     for (auto mark = std::ranges::lower_bound(marks_s_, time().lower);
          mark != marks_s_.end() && *mark <= time().upper; ++mark) {
         const double x = timeAxis()->coordToPixel(*mark);
         // Indistinguishable marks are drawn once.
         if (x - last >= least_mark_spacing) {
-            painter.drawLine(QLineF(x, rect().top(), x, rect().bottom()));
+            painter->drawLine(QLineF(x, rect().top(), x, rect().bottom()));
             last = x;
         }
     }

@@ -79,27 +79,23 @@ public:
 
     // Sets curves, units and colours.
     void setContent(const PlotContent& content, const QFont& font);
-    // Instants marked by thin lines, s, in rising order.
-    void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
     void removeGraphs();
     // Automatic value axis for the visible part of all curves; {0, 1} without curves.
     AxisRange automaticValues() const;
 
 protected:
-    QString symbol() const override { return displaySymbol(variable_, units_); }
-    QString offset(const AxisTicks& ticks) const override;
-    QString unit(const AxisTicks& ticks) const override;
-    QString emptyText() const override;
     void draw(QCPPainter* painter) override;
 
 private:
-    void drawMarks(QCPPainter& painter) const;
+    void addTrend(const PlotContent& content, const DisplayScale& scale);
+    // Why the graphs have no values; empty where some do.
+    QString emptyText() const;
 
     SlowVariable variable_;
     std::vector<DecimatedGraph*> graphs_;
     QPointer<QCPGraph> trend_;
-    DisplayUnits units_;
-    std::vector<double> marks_s_;
+    bool bands_ = false;           // of standard deviations
+    std::vector<double> marks_s_;  // rising
 };
 
 }  // namespace vybeg::ui

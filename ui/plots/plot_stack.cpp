@@ -1,12 +1,10 @@
 #include "ui/plots/plot_stack.h"
 
 #include "ui/plots/plot_strip.h"
-#include "ui/values/curve_data.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -64,12 +62,6 @@ void PlotStack::showNames(const PlotContent& content) {
     headStrip().setEntries(std::move(entries), Qt::AlignLeft);
 }
 
-void PlotStack::setMarks(const std::vector<double>& times_s) {
-    for (PlotPanel* panel : panels_) {
-        panel->setMarks(times_s);
-    }
-}
-
 void PlotStack::setZoom(const ZoomState& zoom) {
     for (PlotPanel* panel : panels_) {
         panel->setTime(zoom.time);
@@ -85,55 +77,6 @@ PlotPanel* PlotStack::panel(SlowVariable variable) const {
 
 PlotPanel* PlotStack::panelAt(const QPointF& position) const {
     return static_cast<PlotPanel*>(frameAt(position));  // its frames are its panels
-}
-
-PlotOverlay::PlotOverlay(const PlotStack& stack, std::function<HairLines()> hairs)
-    : TimeOverlay(stack, std::move(hairs)), stack_(stack) {}
-
-void PlotOverlay::draw(QCPPainter* painter) {
-    if (!hint_.isEmpty()) {
-        painter->setPen(stack_.theme().mutedText);
-        painter->setFont(plotFont(*mParentPlot));
-        painter->drawText(mParentPlot->viewport(), int(Qt::AlignCenter | Qt::TextWordWrap), hint_);
-        return;
-    }
-    if (unlike_ > 0 && !stack_.panels().empty()) {
-        const PlotPanel& first = *stack_.panels().front();
-        painter->setPen(stack_.theme().mutedText);
-        painter->setFont(first.font());
-        painter->drawText(QRectF(first.rect()).adjusted(6, 2, -6, -2),
-                          int(Qt::AlignRight | Qt::AlignTop),
-                          QCoreApplication::translate(
-                              "PlotStack", "%n not drawn: other length or unit", nullptr, unlike_));
-    }
-    TimeOverlay::draw(painter);
-    if (const auto time_s = hairs().tracker) {
-        for (const PlotPanel* panel : stack_.panels()) {
-            drawDots(*painter, *panel, *time_s);
-        }
-    }
-}
-
-void PlotOverlay::drawDots(QCPPainter& painter, const PlotPanel& panel, double time_s) const {
-    painter.setAntialiasing(true);
-    for (const DecimatedGraph* graph : panel.graphs()) {
-        if (!covers(graph->data().analysis(), time_s)) {
-            continue;
-        }
-        const std::size_t row = graph->data().nearest(time_s);
-        const double value = graph->scale().value(graph->data().value(row));
-        const double time = graph->data().time(row);
-        if (!std::isfinite(value) || !panel.values().contains(value) ||
-            !panel.time().contains(time)) {
-            continue;
-        }
-        painter.setPen(QPen(stack_.theme().panelBackground, 1));
-        painter.setBrush(graph->color());
-        painter.drawEllipse(
-            QPointF(panel.timeAxis()->coordToPixel(time), panel.valueAxis()->coordToPixel(value)),
-            3.5, 3.5);
-    }
-    painter.setBrush(Qt::NoBrush);
 }
 
 namespace {

@@ -24,8 +24,6 @@ public:
     void setTitle(const QString& title) { title_ = title; }
     // Rebuilds the panels if the variables have changed; sets zoom and value axes.
     void setContent(const PlotContent& content);
-    // Instants marked in all plots, s, in rising order.
-    void setMarks(const std::vector<double>& times_s);
     // Sets time and value axes, after prepare(); value axes that are not fixed follow the visible
     // data.
     void setZoom(const ZoomState& zoom);
@@ -41,27 +39,6 @@ private:
 
     QString title_;
     std::vector<PlotPanel*> panels_;
-};
-
-// Over the slow variables: a dot on each curve at the tracker, and what an empty view says.
-class PlotOverlay : public TimeOverlay {
-public:
-    PlotOverlay(const PlotStack& stack, std::function<HairLines()> hairs);
-
-    // Text in the middle of an empty view.
-    void setHint(const QString& hint) { hint_ = hint; }
-    // Number of analyses that are not drawn, for the corner of the first plot.
-    void setUnlike(int count) { unlike_ = count; }
-
-protected:
-    void draw(QCPPainter* painter) override;
-
-private:
-    void drawDots(QCPPainter& painter, const PlotPanel& panel, double time_s) const;
-
-    const PlotStack& stack_;
-    QString hint_;
-    int unlike_ = 0;
 };
 
 // One column of the article's figure: one window length.

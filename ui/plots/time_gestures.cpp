@@ -133,10 +133,6 @@ void TimeGestures::setPlots(const TimeStack* stack, TimeOverlay& overlay) {
     });
 }
 
-HairLines TimeGestures::hairs() const {
-    return {cursor(Cursor::a), cursor(Cursor::b), tracker()};
-}
-
 QPointF TimeGestures::inPlot(const QPointF& position) const {
     return position - plot_->pos();
 }

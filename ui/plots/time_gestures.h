@@ -76,7 +76,6 @@ private:
 
 class TimeOverlay;
 class TimeStack;
-struct HairLines;
 
 // The two measuring cursors.
 enum class Cursor { a, b };
@@ -121,8 +120,6 @@ signals:
 
 protected:
     QCustomPlot& plot() const { return *plot_; }
-    // For the overlay.
-    HairLines hairs() const;
     // Takes the plots over; before the view is shown.
     void setPlots(const TimeStack* stack, TimeOverlay& overlay);
 

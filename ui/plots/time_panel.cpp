@@ -177,9 +177,17 @@ void TimePanel::draw(QCPPainter* painter) {
     } else {
         drawMarginLines(*painter);
     }
-    if (const QString text = emptyText(); !text.isEmpty()) {
-        drawEmpty(*painter, text);
+    if (!texts_.empty.isEmpty()) {
+        drawEmpty(*painter, texts_.empty);
     }
+}
+
+QString TimePanel::offset(const AxisTicks& ticks) const {
+    return ticks.offset == 0 ? QString() : ticks.offsetText() + texts_.offset_unit;
+}
+
+QString TimePanel::unit(const AxisTicks& ticks) const {
+    return scaledUnit(texts_.unit, texts_.takes_prefix, ticks.exponent);
 }
 
 void TimePanel::drawHead(QCPPainter& painter) const {
@@ -187,7 +195,7 @@ void TimePanel::drawHead(QCPPainter& painter) const {
     const double base = rect().top() - 7;
     painter.setPen(theme().text);
     const double x = rect().left() + drawIndexText(painter, {double(rect().left()), base},
-                                                   symbol() + offset(ticks), font());
+                                                   texts_.symbol + offset(ticks), font());
     painter.setPen(theme().mutedText);
     drawIndexText(painter, {x + unit_gap, base}, unit(ticks), font());
     if (!letter_.isEmpty()) {
@@ -216,12 +224,12 @@ std::vector<TimePanel::MarginLine> TimePanel::marginLines(const AxisTicks& ticks
     const auto line = [&](const QString& text, bool muted) {
         return MarginLine{text, muted, indexTextWidth(text, muted ? tickFont() : font())};
     };
-    std::vector<MarginLine> lines{line(symbol(), false)};
+    std::vector<MarginLine> lines{line(texts_.symbol, false)};
     const QString from = offset(ticks);
     const QString of = unit(ticks);
     if (!from.isEmpty()) {
         lines.push_back(line(from.trimmed(), true));
-    } else if (const MarginLine both = line(symbol() + QStringLiteral(", ") + of, false);
+    } else if (const MarginLine both = line(texts_.symbol + QStringLiteral(", ") + of, false);
                !of.isEmpty() && both.width + margin_edge < room(PlotHead::margin).left()) {
         return {both};
     }

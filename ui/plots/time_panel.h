@@ -111,6 +111,15 @@ protected:
     void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
 };
 
+// What a panel is called, and what stands in its frame where no curve does.
+struct PanelTexts {
+    QString symbol;  // an underscore introduces an index
+    QString unit;
+    bool takes_prefix = false;
+    QString offset_unit{};  // behind the number that the axis counts from
+    QString empty{};
+};
+
 // One of the plots over one time axis, with its symbol and unit.
 class TimePanel : public FramedPanel {
 public:
@@ -133,19 +142,13 @@ public:
     // Pixels around the frame; left: at least.
     static QMargins room(PlotHead head);
 
-protected:
     void setLook(const Theme& theme, const QFont& font);
+    void setTexts(const PanelTexts& texts) { texts_ = texts; }
     // Without values no scale is shown.
     void setScaleShown(bool shown);
-    PanelTicker& valueTicker() const { return ticker(QCPAxis::atLeft); }
 
-    // An underscore introduces an index.
-    virtual QString symbol() const = 0;
-    // "−5300 Hz" of an axis that counts from an offset; empty without one.
-    virtual QString offset(const AxisTicks& ticks) const { return ticks.offsetText(); }
-    virtual QString unit(const AxisTicks& ticks) const = 0;
-    // What stands in the frame where no curve does.
-    virtual QString emptyText() const = 0;
+protected:
+    PanelTicker& valueTicker() const { return ticker(QCPAxis::atLeft); }
 
     void draw(QCPPainter* painter) override;
     int calculateAutoMargin(QCP::MarginSide side) override;
@@ -158,12 +161,16 @@ private:
         double width = 0;
     };
 
+    // "−5300 Hz" of an axis that counts from an offset; empty without one.
+    QString offset(const AxisTicks& ticks) const;
+    QString unit(const AxisTicks& ticks) const;
     std::vector<MarginLine> marginLines(const AxisTicks& ticks) const;
     void drawMarginLines(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;
 
     PlotHead head_;
     QString letter_;
+    PanelTexts texts_;
 };
 
 }  // namespace vybeg::ui

@@ -1,6 +1,7 @@
 #include "ui/plots/time_stack.h"
 
 #include "ui/plots/plot_strip.h"
+#include "ui/plots/time_gestures.h"
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
@@ -137,10 +138,8 @@ void TimeStack::nameTime() {
         beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
-TimeOverlay::TimeOverlay(const TimeStack& stack, std::function<HairLines()> hairs)
-    : QCPLayerable(&stack.plot(), QStringLiteral("overlay")),
-      stack_(stack),
-      hairs_(std::move(hairs)) {
+TimeOverlay::TimeOverlay(const TimeStack& stack, const TimeGestures& gestures)
+    : QCPLayerable(&stack.plot(), QStringLiteral("overlay")), stack_(stack), gestures_(gestures) {
     stack.plot().layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmBuffered);
 }
 
@@ -150,10 +149,9 @@ void TimeOverlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
 
 void TimeOverlay::draw(QCPPainter* painter) {
     const Theme& theme = stack_.theme();
-    const HairLines shown = hairs();
-    drawHair(*painter, shown.cursor_a, theme.cursorA, QStringLiteral("A"));
-    drawHair(*painter, shown.cursor_b, theme.cursorB, QStringLiteral("B"));
-    drawHair(*painter, shown.tracker, theme.tracker, QString());
+    drawHair(*painter, gestures_.cursor(Cursor::a), theme.cursorA, QStringLiteral("A"));
+    drawHair(*painter, gestures_.cursor(Cursor::b), theme.cursorB, QStringLiteral("B"));
+    drawHair(*painter, gestures_.tracker(), theme.tracker, QString());
     if (band_) {
         painter->setAntialiasing(false);
         painter->setPen(QPen(theme.accent, 1));

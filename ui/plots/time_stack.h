@@ -2,13 +2,13 @@
 
 #include "ui/plots/time_panel.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 namespace vybeg::ui {
 
 class PlotStrip;
+class TimeGestures;
 
 // Plots over each other on one time axis, in one column of a QCustomPlot's layout, with a row of
 // texts above them and the name of the time below: on the screen, on paper and in figures. The
@@ -64,23 +64,16 @@ void preparePlot(QCustomPlot& plot, const Theme& theme);
 // pictures and files agree.
 QFont plotFont(const QWidget& widget);
 
-// Instants on the time axis, seconds.
-struct HairLines {
-    std::optional<double> cursor_a;
-    std::optional<double> cursor_b;
-    std::optional<double> tracker;
-};
-
 // Items that move with the mouse, on a separate layer, so that the curves below are not drawn
 // again: the hair lines of the tracker and the two cursors, the rubber band.
 class TimeOverlay : public QCPLayerable {
 public:
-    TimeOverlay(const TimeStack& stack, std::function<HairLines()> hairs);
+    TimeOverlay(const TimeStack& stack, const TimeGestures& gestures);
 
     void setBand(std::optional<QRectF> band) { band_ = band; }
 
 protected:
-    HairLines hairs() const { return hairs_(); }
+    const TimeGestures& gestures() const { return gestures_; }
 
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
     void draw(QCPPainter* painter) override;
@@ -90,7 +83,7 @@ private:
                   const QString& name) const;
 
     const TimeStack& stack_;
-    std::function<HairLines()> hairs_;
+    const TimeGestures& gestures_;
     std::optional<QRectF> band_;
 };
 

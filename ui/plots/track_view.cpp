@@ -2,6 +2,7 @@
 
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
+#include "ui/values/curve_data.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
@@ -100,13 +101,78 @@ private:
     bool framed_ = false;
 };
 
+// Over the slow variables: a dot on each curve at the tracker, and what an empty view says.
+class PlotOverlay : public TimeOverlay {
+public:
+    PlotOverlay(const PlotStack& stack, const TimeGestures& gestures)
+        : TimeOverlay(stack, gestures), stack_(stack) {}
+
+    // Text in the middle of an empty view.
+    void setHint(const QString& hint) { hint_ = hint; }
+    // Number of analyses that are not drawn, for the corner of the first plot.
+    void setUnlike(int count) { unlike_ = count; }
+
+protected:
+    void draw(QCPPainter* painter) override {
+        if (!hint_.isEmpty()) {
+            painter->setPen(stack_.theme().mutedText);
+            painter->setFont(plotFont(*mParentPlot));
+            painter->drawText(mParentPlot->viewport(), int(Qt::AlignCenter | Qt::TextWordWrap),
+                              hint_);
+            return;
+        }
+        if (unlike_ > 0 && !stack_.panels().empty()) {
+            const PlotPanel& first = *stack_.panels().front();
+            painter->setPen(stack_.theme().mutedText);
+            painter->setFont(first.font());
+            painter->drawText(
+                QRectF(first.rect()).adjusted(6, 2, -6, -2), int(Qt::AlignRight | Qt::AlignTop),
+                QCoreApplication::translate("PlotStack", "%n not drawn: other length or unit",
+                                            nullptr, unlike_));
+        }
+        TimeOverlay::draw(painter);
+        if (const auto time_s = gestures().tracker()) {
+            for (const PlotPanel* panel : stack_.panels()) {
+                drawDots(*painter, *panel, *time_s);
+            }
+        }
+    }
+
+private:
+    void drawDots(QCPPainter& painter, const PlotPanel& panel, double time_s) const {
+        painter.setAntialiasing(true);
+        for (const DecimatedGraph* graph : panel.graphs()) {
+            if (!covers(graph->data().analysis(), time_s)) {
+                continue;
+            }
+            const std::size_t row = graph->data().nearest(time_s);
+            const double value = graph->scale().value(graph->data().value(row));
+            const double time = graph->data().time(row);
+            if (!std::isfinite(value) || !panel.values().contains(value) ||
+                !panel.time().contains(time)) {
+                continue;
+            }
+            painter.setPen(QPen(stack_.theme().panelBackground, 1));
+            painter.setBrush(graph->color());
+            painter.drawEllipse(QPointF(panel.timeAxis()->coordToPixel(time),
+                                        panel.valueAxis()->coordToPixel(value)),
+                                3.5, 3.5);
+        }
+        painter.setBrush(Qt::NoBrush);
+    }
+
+    const PlotStack& stack_;
+    QString hint_;
+    int unlike_ = 0;
+};
+
 TrackView::TrackView(QWidget* parent)
     : TimeGestures(parent),
       zoom_([this](ZoomState state) {
           return clipped(std::move(state), content_.analyses, recorded_);
       }),
       stack_(*new PlotStack(plot(), 0, PlotHead::margin)),
-      overlay_(new PlotOverlay(stack_, [this] { return hairs(); })) {
+      overlay_(new PlotOverlay(stack_, *this)) {
     setPlots(&stack_, *overlay_);
     setFocusPolicy(Qt::ClickFocus);
     setAccessibleName(tr("Slow variables over time"));
@@ -173,8 +239,7 @@ void TrackView::setTheme(const Theme& theme) {
 void TrackView::setMarks(std::vector<double> times_s) {
     if (times_s != content_.marks_s) {
         content_.marks_s = std::move(times_s);
-        stack_.setMarks(content_.marks_s);
-        plot().replot(QCustomPlot::rpQueuedReplot);
+        rebuild();
     }
 }
 

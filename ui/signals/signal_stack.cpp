@@ -2,6 +2,7 @@
 
 #include "ui/plots/envelope_paint.h"
 #include "ui/plots/plot_strip.h"
+#include "ui/plots/time_gestures.h"
 #include "ui/words/display_units.h"
 
 #include <algorithm>
@@ -72,14 +73,26 @@ void addWave(const SignalContent& content, int width, SignalPicture& picture) {
     }
 }
 
-void addSignal(const SignalContent& content, const SignalPicture& picture, bool d, Extent& extent) {
+struct Channel {
+    double gain;
+    double offset;
+    QColor color;
+    ChannelRange EnvelopeBucket::*range;
+};
+
+Channel channelOf(const SignalContent& content, bool d) {
     const Calibration& calibration = content.calibration;
-    const double gain = d ? calibration.kappa : 1;
-    const double offset = d ? calibration.offset_d : calibration.offset_c;
+    return d ? Channel{calibration.kappa, calibration.offset_d, content.theme.signalD,
+                       &EnvelopeBucket::d}
+             : Channel{1, calibration.offset_c, content.theme.signalC, &EnvelopeBucket::c};
+}
+
+void addSignal(const SignalContent& content, const SignalPicture& picture, bool d, Extent& extent) {
+    const Channel channel = channelOf(content, d);
     for (const EnvelopeBucket& column : picture.columns) {
-        const ChannelRange& range = d ? column.d : column.c;
-        extent.add(gain * (static_cast<double>(range.min) - offset));
-        extent.add(gain * (static_cast<double>(range.max) - offset));
+        const ChannelRange& range = column.*channel.range;
+        extent.add(channel.gain * (static_cast<double>(range.min) - channel.offset));
+        extent.add(channel.gain * (static_cast<double>(range.max) - channel.offset));
     }
     if (picture.samples && content.excerpt) {
         for (const double value : d ? content.excerpt->d : content.excerpt->c) {
@@ -205,7 +218,7 @@ constexpr int paper_strips = 66;  // the rows above and below
 constexpr int paper_panel_height = 170;
 
 // Six digits of the largest value in a plot.
-int decimalsOf(const SignalPanel& panel) {
+int decimalsOf(const TimePanel& panel) {
     const AxisRange range = panel.values();
     const double largest = std::max(std::abs(range.lower), std::abs(range.upper));
     return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
@@ -254,7 +267,7 @@ void SignalGraph::draw(QCPPainter* painter) {
         }
         return;
     }
-    const QColor ink = isD() ? content_.theme.signalD : content_.theme.signalC;
+    const QColor ink = channelOf(content_, isD()).color;
     QPolygonF samples;
     if (some) {
         samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
@@ -279,17 +292,12 @@ void SignalGraph::drawColumns(QCPPainter& painter) const {
     const double to = x(picture_.columns_to_s);
     const QRectF area(from, clipRect().top(), to - from, clipRect().height());
     const ColumnRow row{area, (to - from) / static_cast<double>(picture_.columns.size())};
-    const Calibration& calibration = content_.calibration;
-    const double gain = isD() ? calibration.kappa : 1;
-    const double offset = isD() ? calibration.offset_d : calibration.offset_c;
-    const double scale = gain * (y(0) - y(1));
-    const EnvelopeLane lane = isD() ? EnvelopeLane{content_.theme.signalD, y(0) + scale * offset,
-                                                   scale, &EnvelopeBucket::d}
-                                    : EnvelopeLane{content_.theme.signalC, y(0) + scale * offset,
-                                                   scale, &EnvelopeBucket::c};
+    const Channel channel = channelOf(content_, isD());
+    const double scale = channel.gain * (y(0) - y(1));
     painter.setAntialiasing(false);
     paintUnread(painter, row, picture_.columns, content_.theme);
-    paintLane(painter, row, picture_.columns, lane);
+    paintLane(painter, row, picture_.columns,
+              {channel.color, y(0) + scale * channel.offset, scale, channel.range});
     paintMissing(painter, row, picture_.columns, content_.theme);
 }
 
@@ -388,63 +396,53 @@ void SignalGraph::drawLost(QCPPainter& painter) const {
     }
 }
 
-SignalPanel::SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head,
-                         const SignalContent& content, const SignalPicture& picture)
-    : TimePanel(plot, head), part_(part), content_(content), picture_(picture) {
-    new SignalGraph(timeAxis(), valueAxis(), part, content, picture);  // of the plot
-}
-
-void SignalPanel::refresh(const QFont& font, bool noted) {
-    setLook(content_.theme, font);
-    setScaleShown(emptyText().isEmpty());
-    setTime(content_.time);
-    AxisRange values = valuesOf(content_, picture_, part_);
-    if (noted) {
-        // Of the line of text a part has room in the margin.
-        const double line =
-            (QFontMetricsF(font).height() + 2 * note_inset) / std::max(1, expectedSize().height());
-        const double beyond = values.span() * margin / (1 + 2 * margin);
-        values.upper += std::max(0., line * values.span() - beyond) / (1 - std::min(0.5, line));
-    }
-    setValues(values);
-}
-
-QString SignalPanel::emptyText() const {
-    return part_ == SignalPart::residual && !content_.analysis ? content_.no_residual : QString();
-}
-
-QString SignalPanel::symbol() const {
-    switch (part_) {
-        case SignalPart::c: return QStringLiteral("C");
-        case SignalPart::d: return QStringLiteral("D");
-        case SignalPart::residual: break;
-    }
-    return QCoreApplication::translate("SignalPanel", "Residual");
-}
-
-QString SignalPanel::unit(const AxisTicks& ticks) const {
-    return scaledUnit(content_.unit, !content_.unit.isEmpty(), ticks.exponent);
-}
-
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
-    : TimeStack(plot, 0, head) {
-    for (const SignalPart part : parts) {
-        panels_.push_back(new SignalPanel(&plot, part, head, content_, picture_));
+    : TimeStack(plot, 0, head), parts_(parts) {
+    std::vector<TimePanel*> panels;
+    for (const SignalPart part : parts_) {
+        panels.push_back(new TimePanel(&plot, head));
+        new SignalGraph(panels.back()->timeAxis(), panels.back()->valueAxis(), part, content_,
+                        picture_);  // of the plot
     }
-    build({panels_.begin(), panels_.end()});
+    build(std::move(panels));
 }
 
 void SignalStack::setContent(SignalContent content, QSize size) {
     content_ = std::move(content);
     prepare(size);
     picture_ = pictureOf(content_, frameWidth(size.width()));
-    for (SignalPanel* panel : panels_) {
-        panel->refresh(plotFont(plot()), head() == PlotHead::margin);
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        refresh(parts_[k], *frames()[k]);
     }
     setLook(content_.theme);
     if (head() == PlotHead::line) {
         showLegend();
     }
+}
+
+void SignalStack::refresh(SignalPart part, TimePanel& panel) {
+    const QFont font = plotFont(plot());
+    const bool residual = part == SignalPart::residual;
+    const QString empty = residual && !content_.analysis ? content_.no_residual : QString();
+    panel.setLook(content_.theme, font);
+    panel.setTexts({residual                ? QCoreApplication::translate("SignalPanel", "Residual")
+                    : part == SignalPart::c ? QStringLiteral("C")
+                                            : QStringLiteral("D"),
+                    content_.unit,
+                    !content_.unit.isEmpty(),
+                    {},
+                    empty});
+    panel.setScaleShown(empty.isEmpty());
+    panel.setTime(content_.time);
+    AxisRange values = valuesOf(content_, picture_, part);
+    if (head() == PlotHead::margin) {
+        // Of the overlay's line of text above what is drawn a part has room in the margin.
+        const double line = (QFontMetricsF(font).height() + 2 * note_inset) /
+                            std::max(1, panel.expectedSize().height());
+        const double beyond = values.span() * margin / (1 + 2 * margin);
+        values.upper += std::max(0., line * values.span() - beyond) / (1 - std::min(0.5, line));
+    }
+    panel.setValues(values);
 }
 
 void SignalStack::showLegend() {
@@ -481,25 +479,34 @@ Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts)
     return {draw, proposed, QStringLiteral("signals")};
 }
 
-SignalOverlay::SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs)
-    : TimeOverlay(stack, std::move(hairs)), stack_(stack) {}
-
 void SignalOverlay::draw(QCPPainter* painter) {
-    for (const SignalPanel* panel : stack_.panels()) {
-        drawNote(*painter, *panel);
+    const Theme& theme = stack_.content().theme;
+    for (std::size_t k = 0; k < stack_.parts().size(); ++k) {
+        const TimePanel& panel = *stack_.frames()[k];
+        const QString text = note(stack_.parts()[k], panel);
+        if (text.isEmpty()) {
+            continue;
+        }
+        painter->setFont(panel.font());
+        const QRectF area = QRectF(panel.rect()).adjusted(6, note_inset, -6, -note_inset);
+        const QRectF box = painter->boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text)
+                               .adjusted(-4, 0, 4, 0);
+        painter->fillRect(box, translucent(theme.panelBackground, 0.8));
+        painter->setPen(theme.text);
+        painter->drawText(box, int(Qt::AlignCenter), text);
     }
     TimeOverlay::draw(painter);
 }
 
 // The values at the mouse; without them, what the curves are.
-QString SignalOverlay::note(const SignalPanel& panel) const {
+QString SignalOverlay::note(SignalPart part, const TimePanel& panel) const {
     const SignalContent& content = stack_.content();
-    const bool residual = panel.part() == SignalPart::residual;
+    const bool residual = part == SignalPart::residual;
     if (residual && !content.analysis) {
         return {};
     }
     const auto& excerpt = content.excerpt;
-    const auto tracker = hairs().tracker;
+    const auto tracker = gestures().tracker();
     const double k =
         tracker && stack_.picture().samples && excerpt
             ? std::round(*tracker * excerpt->rate_hz) - static_cast<double>(excerpt->first)
@@ -521,28 +528,13 @@ QString SignalOverlay::note(const SignalPanel& panel) const {
         return QStringLiteral("C %1   D %2")
             .arg(number(excerpt->residual_c(at)), number(excerpt->residual_d(at)));
     }
-    const bool d = panel.part() == SignalPart::d;
+    const bool d = part == SignalPart::d;
     QString text = SignalWords::tr("sample %1").arg(number(d ? excerpt->d[at] : excerpt->c[at]));
     if (content.analysis) {
         text += QStringLiteral("   ") +
                 SignalWords::tr("wave %1").arg(number(d ? excerpt->fit_d[at] : excerpt->fit_c[at]));
     }
     return text;
-}
-
-void SignalOverlay::drawNote(QCPPainter& painter, const SignalPanel& panel) const {
-    const QString text = note(panel);
-    if (text.isEmpty()) {
-        return;
-    }
-    const Theme& theme = stack_.content().theme;
-    painter.setFont(panel.font());
-    const QRectF area = QRectF(panel.rect()).adjusted(6, note_inset, -6, -note_inset);
-    const QRectF box =
-        painter.boundingRect(area, int(Qt::AlignRight | Qt::AlignTop), text).adjusted(-4, 0, 4, 0);
-    painter.fillRect(box, translucent(theme.panelBackground, 0.8));
-    painter.setPen(theme.text);
-    painter.drawText(box, int(Qt::AlignCenter), text);
 }
 
 }  // namespace vybeg::ui

@@ -100,48 +100,28 @@ private:
     const SignalPicture& picture_;
 };
 
-// One plot of the signals.
-class SignalPanel : public TimePanel {
-public:
-    // Content and picture outlive its drawings.
-    SignalPanel(QCustomPlot* plot, SignalPart part, PlotHead head, const SignalContent& content,
-                const SignalPicture& picture);
-
-    SignalPart part() const { return part_; }
-    // Content or picture are others. `noted`: the overlay writes into the plot, above what is
-    // drawn.
-    void refresh(const QFont& font, bool noted);
-
-protected:
-    QString symbol() const override;
-    QString unit(const AxisTicks& ticks) const override;
-    QString emptyText() const override;
-
-private:
-    SignalPart part_;
-    const SignalContent& content_;
-    const SignalPicture& picture_;
-};
-
 // The plots of the signals, on paper with a legend above; on the screen the overlay says what the
 // curves are.
 class SignalStack : public TimeStack {
 public:
     SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head);
 
+    // Those of frames().
+    const std::vector<SignalPart>& parts() const { return parts_; }
+
     // Everything for a plot of that size, device-independent pixels.
     void setContent(SignalContent content, QSize size);
 
     const SignalContent& content() const { return content_; }
     const SignalPicture& picture() const { return picture_; }
-    const std::vector<SignalPanel*>& panels() const { return panels_; }
 
 private:
+    void refresh(SignalPart part, TimePanel& panel);
     void showLegend();
 
     SignalContent content_;
     SignalPicture picture_;
-    std::vector<SignalPanel*> panels_;
+    std::vector<SignalPart> parts_;
 };
 
 // A figure of some plots in the light theme, with its proposed size.
@@ -150,14 +130,14 @@ Figure signalFigure(SignalContent content, const std::vector<SignalPart>& parts)
 // Over the signals: the values of the sample nearest to the tracker.
 class SignalOverlay : public TimeOverlay {
 public:
-    SignalOverlay(const SignalStack& stack, std::function<HairLines()> hairs);
+    SignalOverlay(const SignalStack& stack, const TimeGestures& gestures)
+        : TimeOverlay(stack, gestures), stack_(stack) {}
 
 protected:
     void draw(QCPPainter* painter) override;
 
 private:
-    QString note(const SignalPanel& panel) const;
-    void drawNote(QCPPainter& painter, const SignalPanel& panel) const;
+    QString note(SignalPart part, const TimePanel& panel) const;
 
     const SignalStack& stack_;
 };

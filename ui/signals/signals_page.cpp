@@ -35,7 +35,7 @@ SignalsView::SignalsView(TrackView& tracks, QWidget* parent)
       tracks_(tracks),
       stack_(*new SignalStack(plot(), std::vector(all_signal_parts.begin(), all_signal_parts.end()),
                               PlotHead::margin)) {
-    setPlots(&stack_, *new SignalOverlay(stack_, [this] { return hairs(); }));
+    setPlots(&stack_, *new SignalOverlay(stack_, *this));
     layout()->setContentsMargins(1, 1, 1, 1);  // the frame of the keyboard focus
     setFocusPolicy(Qt::StrongFocus);
     whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange},

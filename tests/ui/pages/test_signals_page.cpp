@@ -95,8 +95,10 @@ private slots:
                           PlotHead::margin);
         for (const int height : {300, 500, 1000}) {
             stack.setContent(view().content(), {900, height});
-            for (const SignalPanel* panel : stack.panels()) {
-                const AxisRange drawn = valuesOf(stack.content(), stack.picture(), panel->part());
+            for (std::size_t k = 0; k < stack.parts().size(); ++k) {
+                const TimePanel* panel = stack.frames()[k];
+                const AxisRange drawn =
+                    valuesOf(stack.content(), stack.picture(), stack.parts()[k]);
                 const double top = drawn.upper - 0.06 / 1.12 * drawn.span();
                 const double above = (panel->values().upper - top) / panel->values().span();
                 VYBEG_AT_LEAST(above * panel->expectedSize().height(),
