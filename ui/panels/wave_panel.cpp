@@ -77,11 +77,6 @@ void WavePanel::setAnalysis(AnalysisId id) {
     refresh();
 }
 
-void WavePanel::setTheme(const Theme& theme) {
-    pattern_->setTheme(theme);
-    ellipse_->setTheme(theme);
-}
-
 // A hidden panel draws nothing: the mouse moves over the plots all the time.
 void WavePanel::refresh() {
     if (!isVisible()) {

@@ -25,7 +25,6 @@ public:
     // What is unlike the chosen analysis is not drawn over it.
     void setAnalysis(AnalysisId id);
     void setTime(std::optional<double> time_s);
-    void setTheme(const Theme& theme);
 
 signals:
     void exportWanted(const Figure& figure);

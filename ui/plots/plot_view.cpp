@@ -35,18 +35,13 @@ PlotView::PlotView(QWidget* parent)
         retranslate();
         rebuild();
     });
-    whenChanged(*this, {QEvent::Resize}, [this] { rebuild(); });
+    whenChanged(*this, {QEvent::Resize, QEvent::PaletteChange}, [this] { rebuild(); });
 }
 
 void PlotView::addDrawing(QWidget* drawing) {
     drawing->setAttribute(Qt::WA_TransparentForMouseEvents);
     drawing->setFocusPolicy(Qt::NoFocus);
     static_cast<QVBoxLayout*>(layout())->addWidget(drawing, 1);
-}
-
-void PlotView::setTheme(const Theme& theme) {
-    theme_ = theme;
-    rebuild();
 }
 
 void PlotView::setDrawn(bool drawn) {
@@ -58,7 +53,7 @@ void PlotView::paintEvent(QPaintEvent* event) {
     QWidget::paintEvent(event);
     if (hasFocus()) {
         QPainter painter(this);
-        painter.setPen(theme_.accent);
+        painter.setPen(theme().accent);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
 }
@@ -171,13 +166,7 @@ FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QStrin
 
 MeasuredPage::MeasuredPage(QWidget* parent) : QWidget(parent) {
     whenChanged(*this, {QEvent::LanguageChange}, [this] { retranslate(); });
-}
-
-void MeasuredPage::setTheme(const Theme& theme) {
-    theme_ = theme;
-    std::ranges::for_each(plots_, [&theme](PlotView* plot) { plot->setTheme(theme); });
-    std::ranges::for_each(parts_, [&theme](MeasuredPage* part) { part->setTheme(theme); });
-    showAgain();
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { showAgain(); });
 }
 
 void MeasuredPage::setUnits(const DisplayUnits& units) {

@@ -24,7 +24,6 @@ class PlotView : public QWidget {
     Q_OBJECT
 
 public:
-    void setTheme(const Theme& theme);
     // The plot, under the name of this widget.
     virtual Figure figure() const = 0;
 
@@ -34,11 +33,11 @@ signals:
 protected:
     explicit PlotView(QWidget* parent);
 
-    const Theme& theme() const { return theme_; }
+    Theme theme() const { return themeOf(palette()); }
     // Puts the drawing into the widget, which leaves room for the frame. It ignores the mouse, so
     // that the wheel scrolls the panel around it.
     void addDrawing(QWidget* drawing);
-    // Draws anew: of another content, theme, size or language.
+    // Draws anew: of another content, palette, size or language.
     virtual void rebuild() = 0;
     // Whether there is something to copy and export.
     void setDrawn(bool drawn);
@@ -50,7 +49,6 @@ private:
 
     QAction* copy_;
     QAction* export_;
-    Theme theme_ = lightTheme();
 };
 
 // A plot of one quantity against another in a panel.
@@ -109,7 +107,6 @@ public:
     explicit MeasuredPage(QWidget* parent);
 
     virtual FigureSource figures() const { return {}; }
-    virtual void setTheme(const Theme& theme);
     virtual void setUnits(const DisplayUnits& units);
 
 signals:
@@ -117,17 +114,15 @@ signals:
     void figuresChanged();  // figures() are others, or there are some now
 
 protected:
-    const Theme& theme() const { return theme_; }
+    Theme theme() const { return themeOf(palette()); }
     const DisplayUnits& units() const { return units_; }
-    // Theme or units are others.
+    // Palette or units are others.
     virtual void showAgain() {}
-    // A plot or another part in the page's theme and units; its export is exportWanted().
+    // A plot, or another part in the page's units; its export is exportWanted().
     template <class Part>
     Part* withPart(Part* part) {
         connect(part, &Part::exportWanted, this, &MeasuredPage::exportWanted);
-        if constexpr (std::derived_from<Part, PlotView>) {
-            plots_.push_back(part);
-        } else {
+        if constexpr (std::derived_from<Part, MeasuredPage>) {
             parts_.push_back(part);
         }
         return part;
@@ -138,9 +133,7 @@ protected:
     virtual void retranslate() {}
 
 private:
-    Theme theme_ = lightTheme();
     DisplayUnits units_;
-    std::vector<PlotView*> plots_;
     std::vector<MeasuredPage*> parts_;
 };
 

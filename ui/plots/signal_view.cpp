@@ -39,7 +39,7 @@ AxisRange inside(AxisRange range, double seconds) {
 
 }  // namespace
 
-SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(lightTheme()) {
+SignalView::SignalView(QWidget* parent) : QWidget(parent), theme_(themeOf(palette())) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -81,12 +81,6 @@ void SignalView::setAnalysedRange(AxisRange range) {
     update();
 }
 
-void SignalView::setTheme(const Theme& theme) {
-    theme_ = theme;
-    drawn_ = {};
-    update();
-}
-
 void SignalView::setMargins(int left, int right) {
     if (left == left_ && right == right_) {
         return;
@@ -116,6 +110,7 @@ void SignalView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         setAccessibleName(tr("Overview of the recording"));
     }
+    theme_ = themeOf(palette());
     drawn_ = {};
     update();
 }

@@ -35,7 +35,6 @@ public:
     void setFaults(std::shared_ptr<const SampleFaults> faults);
     void setVisibleRange(AxisRange range);
     void setAnalysedRange(AxisRange range);
-    void setTheme(const Theme& theme);
     // Margins of the time axis, pixels from both edges, for alignment with other plots.
     void setMargins(int left, int right);
     // Area above the time axis, in coordinates of the widget.

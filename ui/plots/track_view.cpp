@@ -182,10 +182,13 @@ TrackView::TrackView(QWidget* parent)
         emit timeRangeChanged(timeRange().lower, timeRange().upper);
     });
     rebuild();
-    whenChanged(*this, {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange}, [this] {
-        setAccessibleName(tr("Slow variables over time"));
-        rebuild();
-    });
+    whenChanged(
+        *this,
+        {QEvent::LanguageChange, QEvent::LocaleChange, QEvent::FontChange, QEvent::PaletteChange},
+        [this] {
+            setAccessibleName(tr("Slow variables over time"));
+            rebuild();
+        });
     whenChanged(*this, {QEvent::Resize, QEvent::Show}, [this] { redraw(); });
 }
 
@@ -227,12 +230,6 @@ void TrackView::setUnits(const DisplayUnits& units) {
     if (changed) {
         zoom_.restart(state);  // the ranges of the history are in the old units
     }
-    rebuild();
-}
-
-void TrackView::setTheme(const Theme& theme) {
-    content_.theme = theme;
-    plot().setBackground(QBrush(theme.plotBackground));
     rebuild();
 }
 
@@ -280,6 +277,8 @@ QSize TrackView::minimumSizeHint() const {
 }
 
 void TrackView::rebuild() {
+    content_.theme = themeOf(palette());
+    plot().setBackground(QBrush(content_.theme.plotBackground));
     stack_.prepare(plot().size());
     stack_.setContent(content());
     const bool has_analyses = hasTime();

@@ -3,7 +3,6 @@
 #include "ui/plots/plot_content.h"
 #include "ui/plots/time_gestures.h"
 #include "ui/values/shown_analysis.h"
-#include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
 #include <array>
@@ -41,7 +40,6 @@ public:
     // Drops value ranges fixed by hand if their unit changes.
     void setUnits(const DisplayUnits& units);
     const DisplayUnits& units() const { return content_.units; }
-    void setTheme(const Theme& theme);
 
     AxisRange timeRange() const { return zoom_.current().time; }
     // Clips the range to that of the analyses; adds it to the zoom history.

@@ -26,7 +26,6 @@
 #include <QSettings>
 #include <QToolBar>
 
-#include <algorithm>
 
 namespace vybeg::ui {
 
@@ -124,9 +123,6 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
-    std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { page->setTheme(theme_); });
-    overview_->setTheme(theme_);
-    wave_->setTheme(theme_);
     commands_->setIcons(theme_.palette);
 }
 

@@ -122,10 +122,6 @@ void Overview::editAnalysedRange(double from_s, double to_s) {
     document_.setSettings(settings, range_gesture_);
 }
 
-void Overview::setTheme(const Theme& theme) {
-    signal_->setTheme(theme);
-}
-
 }  // namespace vybeg::ui
 
 #include "moc_overview.cpp"

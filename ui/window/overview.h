@@ -27,7 +27,6 @@ public:
     void standOver(const TimeGestures& view);
     // Analyses from now on what the plots show.
     void analyseVisibleRange();
-    void setTheme(const Theme& theme);
 
 private:
     void showRecording();

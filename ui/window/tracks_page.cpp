@@ -197,12 +197,6 @@ FigureSource TracksPage::articleFigure() const {
     return source;
 }
 
-void TracksPage::setTheme(const Theme& theme) {
-    MeasuredPage::setTheme(theme);
-    tracks_->setTheme(theme);
-    nameLogs();
-}
-
 void TracksPage::setUnits(const DisplayUnits& units) {
     tracks_->setUnits(units);
 }

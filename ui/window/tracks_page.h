@@ -31,7 +31,6 @@ public:
     void chooseAnalysis(AnalysisId id);
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
-    void setTheme(const Theme& theme) override;
     void setUnits(const DisplayUnits& units) override;
     FigureSource figures() const override;
     // The article's figure, a column for each analysis that is shown.
@@ -40,6 +39,7 @@ public:
 private:
     void showAnalyses();
     void nameLogs();
+    void showAgain() override { nameLogs(); }
     void retranslate() override { nameLogs(); }
 
     Document& document_;

@@ -44,7 +44,7 @@ struct Bench {
     Bench() {
         view.resize(1016, 69);
         view.setMargins(8, 8);
-        view.setTheme(lightTheme());
+        view.setPalette(lightTheme().palette);
         const auto envelope = build_envelope(Swing(), {});
         view.setEnvelope(*envelope, rate);
         view.setVisibleRange({2, 6});
