@@ -455,8 +455,8 @@ Status draw_figure(const GuiRequest& request, std::stop_token stop) {
     if (stop.stop_requested()) {
         return Error{ErrorCode::interrupted, {}, {}};
     }
-    return ui::writeDrawing(ui::figureDrawing(columns), {ui::figureSize(columns.size(), {})},
-                            QString::fromStdString(request.figure));
+    const ui::Figure figure = ui::articleFigure(columns);
+    return ui::writeDrawing(figure.draw, {figure.size}, QString::fromStdString(request.figure));
 }
 
 int write_report(const GuiRequest& request, std::stop_token stop) {

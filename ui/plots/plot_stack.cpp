@@ -122,8 +122,8 @@ void setLetters(const Stacks& stacks, std::size_t rows) {
     }
 }
 
-void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPPainter& painter,
-                QSize size) {
+void drawFigure(const FigureColumns& columns, const std::vector<SlowVariable>& variables,
+                const DisplayUnits& units, QCPPainter& painter, QSize size) {
     const QSize column_size(size.width() / std::max(1, static_cast<int>(columns.size())),
                             size.height());
     QCustomPlot plot;
@@ -139,56 +139,52 @@ void drawFigure(const FigureColumns& columns, const FigureOptions& options, QCPP
         content.analyses.front().visible = true;
         content.analyses.front().color = curveStyle(0).color;
         content.analyses.front().shade = 0;
-        content.variables = options.variables;
-        content.units = options.units;
+        content.variables = variables;
+        content.units = units;
         content.zoom = zoom;
         stacks.back()->setContent(content);
         stacks.back()->prepare(column_size);
     }
-    if (options.common_value_axes) {
-        zoom.fixed = commonValues(stacks, options.variables);
-    }
+    zoom.fixed = commonValues(stacks, variables);
     for (const auto& stack : stacks) {
         stack->setZoom(zoom);
     }
-    setLetters(stacks, options.variables.size());
+    setLetters(stacks, variables.size());
     plot.toPainter(&painter, size.width(), size.height());
+}
+
+// Of rows of plots with the strips above and below.
+int heightOf(std::size_t rows) {
+    return 66 + 150 * static_cast<int>(rows);
 }
 
 }  // namespace
 
-QSize figureSize(std::size_t columns, const FigureOptions& options) {
-    constexpr int strips = 66;
-    return {420 * std::max(1, static_cast<int>(columns)),
-            strips + 150 * static_cast<int>(options.variables.size())};
+Figure articleFigure(const std::vector<FigureColumn>& columns,
+                     const std::vector<SlowVariable>& variables, const DisplayUnits& units) {
+    return {[=](QCPPainter& painter, QSize size) {
+                drawFigure(columns, variables, units, painter, size);
+            },
+            {420 * std::max(1, static_cast<int>(columns.size())), heightOf(variables.size())},
+            QStringLiteral("figure")};
 }
 
-Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options) {
-    return [columns, options](QCPPainter& painter, QSize size) {
-        drawFigure(columns, options, painter, size);
-    };
-}
-
-Drawing plotsDrawing(const PlotContent& content) {
+Figure plotsFigure(const PlotContent& content) {
+    constexpr int width = 900;
     PlotContent paper = content;
     paper.theme = lightTheme();
-    return [paper](QCPPainter& painter, QSize size) {
-        QCustomPlot plot;
-        preparePlot(plot, paper.theme);
-        PlotStack stack(plot, 0, PlotHead::line);
-        // Twice, because the room for the names is known after the first layout.
-        stack.setContent(paper);
-        stack.prepare(size);
-        stack.setZoom(paper.zoom);
-        plot.toPainter(&painter, size.width(), size.height());
-    };
-}
-
-QSize paperSize(const PlotContent& content) {
-    FigureOptions options;
-    options.variables = content.variables;
-    constexpr int width = 900;
-    return {width, figureSize(1, options).height()};
+    return {[paper](QCPPainter& painter, QSize size) {
+                QCustomPlot plot;
+                preparePlot(plot, paper.theme);
+                PlotStack stack(plot, 0, PlotHead::line);
+                // Twice, because the room for the names is known after the first layout.
+                stack.setContent(paper);
+                stack.prepare(size);
+                stack.setZoom(paper.zoom);
+                plot.toPainter(&painter, size.width(), size.height());
+            },
+            {width, heightOf(content.variables.size())},
+            QStringLiteral("vybeg")};
 }
 
 }  // namespace vybeg::ui

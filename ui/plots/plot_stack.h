@@ -7,7 +7,6 @@
 #include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
-#include <QSize>
 #include <QString>
 
 #include <vector>
@@ -47,28 +46,19 @@ struct FigureColumn {
     ShownAnalysis shown;
 };
 
-struct FigureOptions {
-    std::vector<SlowVariable> variables{SlowVariable::a_A, SlowVariable::a_B,
-                                        SlowVariable::two_theta_A, SlowVariable::f};
-    DisplayUnits units;
-    // Common value axis of the columns of a row, for comparison of the scatter. Off: each panel
-    // follows its own data.
-    bool common_value_axes = true;
-};
-
-// The article's figure: a row of panels per variable, a column per window length, one time axis,
-// letters a, b, c ... row by row.
+// The article's figure: a row of panels per variable, whose value axis its columns share for
+// comparison of the scatter; a column per window length; one time axis, letters a, b, c ... row by
+// row. 420 device-independent pixels per column, 150 per row.
 // Needs a QApplication but no window and no display (offscreen platform).
-Drawing figureDrawing(const std::vector<FigureColumn>& columns, const FigureOptions& options = {});
+Figure articleFigure(const std::vector<FigureColumn>& columns,
+                     const std::vector<SlowVariable>& variables = {SlowVariable::a_A,
+                                                                   SlowVariable::a_B,
+                                                                   SlowVariable::two_theta_A,
+                                                                   SlowVariable::f},
+                     const DisplayUnits& units = {});
 
-// 420 device-independent pixels per column, 150 per row.
-QSize figureSize(std::size_t columns, const FigureOptions& options);
-
-// Stacked plots on paper: always in the light theme, with the names of several analyses above.
-Drawing plotsDrawing(const PlotContent& content);
-
-// The size of a figure of these plots: as wide as a page, each plot as high as in the article's
-// figure. It does not depend on the window.
-QSize paperSize(const PlotContent& content);
+// Stacked plots on paper: always in the light theme, with the names of several analyses above; as
+// wide as a page, each plot as high as in the article's figure. It does not depend on the window.
+Figure plotsFigure(const PlotContent& content);
 
 }  // namespace vybeg::ui

@@ -68,7 +68,7 @@ public:
     // Fitted curves drawn over the plots, displayed units.
     void setTrends(std::vector<TrendCurve> trends);
 
-    // Present content with the time range, input of plotsDrawing().
+    // Present content with the time range, input of plotsFigure().
     PlotContent content() const;
 
     QSize sizeHint() const override { return {900, 700}; }

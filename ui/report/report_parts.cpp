@@ -160,7 +160,7 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content) {
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const PlotContent plots = plotsOf(content, k);
         if (!plots.analyses.empty()) {
-            figures.push_back(reportFigure(plotsName(content, k), plotsDrawing(plots),
+            figures.push_back(reportFigure(plotsName(content, k), plotsFigure(plots).draw,
                                            {report_page.width(), report_page.height() - heading}));
         }
     }

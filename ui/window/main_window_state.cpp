@@ -26,7 +26,6 @@
 #include <QSettings>
 #include <QToolBar>
 
-
 namespace vybeg::ui {
 
 namespace {

@@ -158,7 +158,7 @@ FigureSource TracksPage::figures() const {
     source.figure = [content](const std::vector<int>& places) {
         PlotContent some = content;
         some.variables = atPlaces(content.variables, places);
-        return Figure{plotsDrawing(some), paperSize(some), QStringLiteral("vybeg")};
+        return plotsFigure(some);
     };
     source.title = recordings.join(QStringLiteral(", "));
     source.settings = settings.join(QStringLiteral("; "));
@@ -166,14 +166,13 @@ FigureSource TracksPage::figures() const {
 }
 
 FigureSource TracksPage::articleFigure() const {
-    FigureOptions options;
-    options.units = tracks_->units();
+    const DisplayUnits& units = tracks_->units();
     std::vector<FigureColumn> columns;
     for (const ShownAnalysis& shown : tracks_->analyses()) {
         if (shown.visible && shown.analysis) {
             columns.push_back({QStringLiteral("n = %1, %2")
                                    .arg(shown.analysis->plan.length)
-                                   .arg(scatterText(*shown.analysis, options.units)),
+                                   .arg(scatterText(*shown.analysis, units)),
                                shown});
         }
     }
@@ -182,14 +181,11 @@ FigureSource TracksPage::articleFigure() const {
         return source;
     }
     for (const SlowVariable variable : tracks_->shownVariables()) {
-        source.plots << indexPlain(displaySymbol(variable, options.units));
+        source.plots << indexPlain(displaySymbol(variable, units));
     }
-    source.figure = [columns, options,
+    source.figure = [columns, units,
                      variables = tracks_->shownVariables()](const std::vector<int>& places) {
-        FigureOptions some = options;
-        some.variables = atPlaces(variables, places);
-        return Figure{figureDrawing(columns, some), figureSize(columns.size(), some),
-                      QStringLiteral("figure")};
+        return ui::articleFigure(columns, atPlaces(variables, places), units);
     };
     const FigureSource plots = figures();
     source.title = plots.title;

@@ -53,10 +53,8 @@ double ink(const QImage& image) {
     return double(dark) / image.width() / image.height();
 }
 
-Status drawnFigure(const std::vector<FigureColumn>& columns, const QString& path,
-                   const FigureOptions& options = {}) {
-    return writeDrawing(figureDrawing(columns, options), {figureSize(columns.size(), options)},
-                        path);
+Status drawnFigure(const Figure& figure, const QString& path) {
+    return writeDrawing(figure.draw, {figure.size}, path);
 }
 
 // All texts of an SVG, one after the other.
@@ -118,7 +116,8 @@ private slots:
             content.analyses = {syntheticAnalysis(index, {.window = 60, .noise = 1e-9})};
             content.zoom.time = *coveredTime(content.analyses);
             const ShownAnalysis& shown = content.analyses.front();
-            const QImage image = toImage(plotsDrawing(content), {{800, 300}, 4 * pixels_per_inch});
+            const QImage image =
+                toImage(plotsFigure(content).draw, {{800, 300}, 4 * pixels_per_inch});
             VYBEG_AT_LEAST(shareOf(image, readable(shown.color, lightTheme(), shown.shade)), 0.99);
         }
     }
@@ -139,7 +138,7 @@ private slots:
             content.analyses.push_back(shown);
         }
         content.zoom.time = *coveredTime(content.analyses);
-        const QImage image = toImage(plotsDrawing(content), {{800, 400}, 4 * pixels_per_inch});
+        const QImage image = toImage(plotsFigure(content).draw, {{800, 400}, 4 * pixels_per_inch});
         for (const ShownAnalysis& shown : content.analyses) {
             VYBEG_AT_LEAST(shareOf(image, readable(shown.color, lightTheme(), shown.shade)), 0.8,
                            qPrintable(shown.recording));
@@ -161,7 +160,8 @@ private slots:
                 shown.analysis = scaled;
                 content.analyses = {shown};
                 content.zoom.time = *coveredTime(content.analyses);
-                const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
+                const QImage image =
+                    toImage(plotsFigure(content).draw, {{800, 300}, pixels_per_inch});
                 for (int y = 0; y < image.height(); ++y) {
                     for (int x = 0; x < image.width(); ++x) {
                         const QColor color = image.pixelColor(x, y);
@@ -179,7 +179,7 @@ private slots:
         // Amplitudes about one lie above the first, below the second.
         for (const AxisRange& values : {AxisRange{0, 0.1}, AxisRange{10, 11}}) {
             content.zoom.fixed[SlowVariable::a_A] = values;
-            const QImage image = toImage(plotsDrawing(content), {{800, 300}, pixels_per_inch});
+            const QImage image = toImage(plotsFigure(content).draw, {{800, 300}, pixels_per_inch});
             for (const ShownAnalysis& shown : content.analyses) {
                 const QColor color = readable(shown.color, lightTheme());
                 int pixels = 0;
@@ -200,7 +200,7 @@ private slots:
 
     void a_png_has_twice_the_size_and_a_white_ground() {
         const QString path = dir_.filePath(QStringLiteral("plots.png"));
-        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        QVERIFY(writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path));
         const QImage image(path);
         QCOMPARE(image.size(), QSize(1600, 1200));
         QCOMPARE(image.pixel(2, 1190), qRgb(255, 255, 255));
@@ -210,7 +210,7 @@ private slots:
 
     void an_svg_parses_and_names_runs_and_units() {
         const QString path = dir_.filePath(QStringLiteral("plots.svg"));
-        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        QVERIFY(writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path));
         const QByteArray svg = bytesOf(path);
         QVERIFY(QSvgRenderer().load(svg));
         const QString texts = textsOf(svg);
@@ -222,7 +222,7 @@ private slots:
 
     void a_pdf_is_one_page_of_vectors() {
         const QString path = dir_.filePath(QStringLiteral("plots.pdf"));
-        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        QVERIFY(writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path));
         const QByteArray pdf = bytesOf(path);
         QVERIFY(pdf.startsWith("%PDF-1."));
         QVERIFY(pdf.trimmed().endsWith("%%EOF"));
@@ -235,7 +235,7 @@ private slots:
 
     void one_plot_alone_holds_one_variable() {
         const QString path = dir_.filePath(QStringLiteral("one.svg"));
-        QVERIFY(writeDrawing(plotsDrawing(onePlot(twoRuns(), SlowVariable::two_theta_A)),
+        QVERIFY(writeDrawing(plotsFigure(onePlot(twoRuns(), SlowVariable::two_theta_A)).draw,
                              {{800, 300}}, path));
         const QString texts = textsOf(bytesOf(path));
         QVERIFY(texts.contains(QStringLiteral("2θ")));
@@ -243,7 +243,7 @@ private slots:
     }
 
     void an_unknown_ending_is_refused() {
-        const Status status = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+        const Status status = writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}},
                                            dir_.filePath(QStringLiteral("plots.bmp")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_format_unknown);
@@ -252,24 +252,24 @@ private slots:
 
     void a_failure_leaves_the_old_file() {
         const Status status =
-            writeDrawing(plotsDrawing(twoRuns()), {{800, 600}},
+            writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}},
                          dir_.filePath(QStringLiteral("no/such/place/plots.pdf")));
         QVERIFY(!status);
         QVERIFY(status.error().code == ErrorCode::output_failed);
         QVERIFY(!english(status.error().args.at(0)).empty());
         const QString folder = dir_.filePath(QStringLiteral("taken.svg"));
         QVERIFY(QDir().mkpath(folder + QStringLiteral("/inside")));
-        QVERIFY(!writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, folder));
+        QVERIFY(!writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, folder));
         QVERIFY(QFileInfo::exists(folder + QStringLiteral("/inside")));
     }
 
     void the_clipboard_gets_the_image() {
-        copyDrawing(plotsDrawing(twoRuns()), {{400, 300}});
+        copyDrawing(plotsFigure(twoRuns()).draw, {{400, 300}});
         QCOMPARE(QApplication::clipboard()->image().size(), QSize(800, 600));
     }
 
     void a_picture_draws_into_any_page() {
-        const QPicture picture = toPicture(plotsDrawing(twoRuns()), {400, 300});
+        const QPicture picture = toPicture(plotsFigure(twoRuns()).draw, {400, 300});
         QImage page(1200, 900, QImage::Format_RGB32);
         page.fill(Qt::white);
         QPainter painter(&page);
@@ -282,7 +282,7 @@ private slots:
 
     void the_articles_figure_has_eight_lettered_panels() {
         const QString path = dir_.filePath(QStringLiteral("figure.svg"));
-        QVERIFY(drawnFigure(twoColumns(), path));
+        QVERIFY(drawnFigure(articleFigure(twoColumns()), path));
         const QString texts = textsOf(bytesOf(path));
         for (const char* part : {"n = 6 ", "n = 60 ", "rad", "Hz", "t, s"}) {
             QVERIFY2(texts.contains(QString::fromUtf8(part)), part);
@@ -295,30 +295,30 @@ private slots:
 
     void a_figure_is_written_in_every_format() {
         const QString base = dir_.filePath(QStringLiteral("figure"));
-        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".png")));
-        QCOMPARE(QImage(base + QStringLiteral(".png")).size(), 2 * figureSize(2, {}));
-        QVERIFY(drawnFigure(twoColumns(), base + QStringLiteral(".pdf")));
+        const Figure figure = articleFigure(twoColumns());
+        QVERIFY(drawnFigure(figure, base + QStringLiteral(".png")));
+        QCOMPARE(QImage(base + QStringLiteral(".png")).size(), 2 * figure.size);
+        QVERIFY(drawnFigure(figure, base + QStringLiteral(".pdf")));
         QVERIFY(bytesOf(base + QStringLiteral(".pdf")).startsWith("%PDF-1."));
-        QVERIFY(!drawnFigure(twoColumns(), base + QStringLiteral(".gif")));
+        QVERIFY(!drawnFigure(figure, base + QStringLiteral(".gif")));
     }
 
     void columns_share_their_value_axes() {
-        // With the scatter of n = 6 on both, n = 60 is a narrow trace in its panel; on its own axis
-        // it would fill it. Colour of the curve in the right half, lowest row.
-        const auto blue = [&](bool common) {
-            FigureOptions options;
-            options.variables = {SlowVariable::f};
-            options.common_value_axes = common;
-            options.units.sigma_bands = false;
+        // With the scatter of n = 6 on both, n = 60 is a narrow trace in its panel; alone it fills
+        // it. Ink of the last column.
+        const auto blue = [&](const std::vector<FigureColumn>& columns) {
+            DisplayUnits units;
+            units.sigma_bands = false;
             const QString path = dir_.filePath(QStringLiteral("axes.png"));
-            if (!drawnFigure(twoColumns(), path, options)) {
+            if (!drawnFigure(articleFigure(columns, {SlowVariable::f}, units), path)) {
                 return -1.;
             }
             const QImage image(path);
-            return ink(image.copy(image.width() / 2, 0, image.width() / 2, image.height()));
+            const int width = image.width() / static_cast<int>(columns.size());
+            return ink(image.copy(image.width() - width, 0, width, image.height()));
         };
-        const double common = blue(true);
-        const double own = blue(false);
+        const double common = blue(twoColumns());
+        const double own = blue({twoColumns().back()});
         VYBEG_MORE(common, 0);
         VYBEG_MORE(own, 2 * common);
     }
@@ -333,9 +333,9 @@ private slots:
     void a_disk_that_fills_leaves_the_old_file() {
         QFETCH(QString, ending);
         const QString path = dir_.filePath(QStringLiteral("full.") + ending);
-        QVERIFY(writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path));
+        QVERIFY(writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path));
         const qint64 plots_size = QFileInfo(path).size();
-        QVERIFY(drawnFigure(twoColumns(), path));
+        QVERIFY(drawnFigure(articleFigure(twoColumns()), path));
         const qint64 whole = std::min(plots_size, QFileInfo(path).size());
         constexpr int sizes = 15;
         VYBEG_MORE(whole, sizes);
@@ -349,7 +349,7 @@ private slots:
             old.close();
             const rlimit now{static_cast<rlim_t>(whole * k / sizes), before.rlim_max};
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &now), 0);
-            const Status plots = writeDrawing(plotsDrawing(twoRuns()), {{800, 600}}, path);
+            const Status plots = writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path);
             const Status figure = drawnFigure(twoColumns(), path);
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
             const QByteArray about = QByteArray::number(qulonglong(now.rlim_cur));
