@@ -13,24 +13,6 @@ using Buckets = std::vector<EnvelopeBucket>;
 
 constexpr int missing_row = 3;
 
-void drawSignals(QPainter& painter, const QRect& area, const Buckets& columns, const Theme& theme) {
-    const double ratio = painter.device()->devicePixelRatioF();
-    const int lane_height = (area.height() - 2) / 2;
-    // One scale for both, because their ratio shows the angle of the wave.
-    float top = 0;
-    for (const EnvelopeBucket& column : columns) {
-        for (const float v : {column.c.min, column.c.max, column.d.min, column.d.max}) {
-            top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
-        }
-    }
-    const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
-    const ColumnRow row{QRectF(area), 1 / ratio};
-    paintLane(painter, row, columns,
-              {theme.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c});
-    paintLane(painter, row, columns,
-              {theme.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d});
-}
-
 }  // namespace
 
 void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
@@ -83,14 +65,6 @@ void paintUnread(QPainter& painter, const ColumnRow& row, const Buckets& columns
         }
         i = std::max(end, i + 1);
     }
-}
-
-void paintEnvelope(QPainter& painter, const QRect& area, const Buckets& columns,
-                   const Theme& theme) {
-    const ColumnRow row{QRectF(area), 1 / painter.device()->devicePixelRatioF()};
-    paintUnread(painter, row, columns, theme);
-    drawSignals(painter, area, columns, theme);
-    paintMissing(painter, row, columns, theme);
 }
 
 }  // namespace vybeg::ui

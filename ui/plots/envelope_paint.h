@@ -4,7 +4,7 @@
 #include "ui/widgets/theme.h"
 
 #include <QColor>
-#include <QRect>
+#include <QRectF>
 
 #include <vector>
 
@@ -35,11 +35,5 @@ void paintMissing(QPainter& painter, const ColumnRow& row,
 // Hatches what is not read yet.
 void paintUnread(QPainter& painter, const ColumnRow& row,
                  const std::vector<EnvelopeBucket>& columns, const Theme& theme);
-
-// Paints minima and maxima of both channels, one column per device pixel, C in the upper half of
-// the area and D in the lower, with one scale. Columns of samples only are paler, unread ones
-// hatched, missing samples marked at the foot.
-void paintEnvelope(QPainter& painter, const QRect& area, const std::vector<EnvelopeBucket>& columns,
-                   const Theme& theme);
 
 }  // namespace vybeg::ui

@@ -35,14 +35,12 @@ std::optional<AxisRange> coveredTime(const std::vector<ShownAnalysis>& analyses)
 struct RecordedTime {
     AxisRange range;
     double rate_hz = 0;  // 0: not known
-
-    friend bool operator==(const RecordedTime&, const RecordedTime&) = default;
 };
 
 // A view with its time range inside that of the visible analyses, or without any inside the
 // recording, and with valid value ranges.
 ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
-                  const RecordedTime& recorded = {});
+                  const RecordedTime& recorded);
 
 // Reference of frequency deviations: the carrier of the first visible analysis, or 0.
 double referenceFrequency(const std::vector<ShownAnalysis>& analyses);

@@ -75,7 +75,7 @@ void XYPlotView::setContent(const XYPlot& content) {
 }
 
 Figure XYPlotView::figure() const {
-    return {xyDrawing(content_), xy_paper_size, objectName()};
+    return {xyDrawing(content_), {640, 420}, objectName()};
 }
 
 void XYPlotView::setPickable(std::optional<std::size_t> series) {

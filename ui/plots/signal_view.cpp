@@ -150,10 +150,28 @@ void SignalView::paintEvent(QPaintEvent*) {
     }
 }
 
+// Minima and maxima of both channels, one column per device pixel, C in the upper half of the area
+// and D in the lower.
 void SignalView::drawEnvelope(QPainter& painter, const QRect& area) const {
     const double ratio = painter.device()->devicePixelRatioF();
     const int count = std::max(1, static_cast<int>(area.width() * ratio));
-    paintEnvelope(painter, area, envelope_->buckets(0, envelope_->frames(), count), theme_);
+    const std::vector<EnvelopeBucket> columns = envelope_->buckets(0, envelope_->frames(), count);
+    const ColumnRow row{QRectF(area), 1 / ratio};
+    const int lane_height = (area.height() - 2) / 2;
+    // One scale for both, because their ratio shows the angle of the wave.
+    float top = 0;
+    for (const EnvelopeBucket& column : columns) {
+        for (const float v : {column.c.min, column.c.max, column.d.min, column.d.max}) {
+            top = std::isfinite(v) ? std::max(top, std::abs(v)) : top;
+        }
+    }
+    const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
+    paintUnread(painter, row, columns, theme_);
+    paintLane(painter, row, columns,
+              {theme_.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c});
+    paintLane(painter, row, columns,
+              {theme_.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d});
+    paintMissing(painter, row, columns, theme_);
 }
 
 void SignalView::drawFaults(QPainter& painter, const QRect& area) const {

@@ -68,9 +68,6 @@ AxisRange shownValues(const XYPlot& content);
 // Replaces the content of a plot of size `size`.
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size);
 
-// Size of an exported figure of one plot, independent of the window.
-inline constexpr QSize xy_paper_size{640, 420};
-
 // A plot in the light theme.
 Drawing xyDrawing(const XYPlot& content);
 

@@ -77,26 +77,15 @@ OriginText originText(const ResidualLine& line) {
                               "in this range.")};
 }
 
-XYSeries histogramSeries(const ResidualChannel& channel, const char* name, Ink ink) {
-    XYSeries series = histogramSteps(channel.histogram, QLatin1String(name), ink);
-    const double whole = channel.histogram.width * static_cast<double>(channel.moments.count);
-    for (double& count : series.y) {
-        count /= whole;
-    }
-    return series;
-}
-
-XYSeries densitySeries(const Residuals& found, const ResidualChannel& channel, const char* name,
-                       Ink ink) {
-    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
-    // Bin 0 has no place on a logarithmic axis, and no density below rounding.
-    for (std::size_t k = 1; k < channel.density.size(); ++k) {
-        if (channel.density[k] > 0) {
-            series.x.push_back(static_cast<double>(k) * found.bin_hz);
-            series.y.push_back(channel.amplitude_density(k));
-        }
-    }
-    return series;
+// A thin curve for each channel, whose points `add` finds.
+template <class Add>
+std::vector<XYSeries> channelCurves(const Residuals& found, const Add& add) {
+    std::vector<XYSeries> curves{
+        {.name = QStringLiteral("C"), .ink = Ink::channel_c, .thin = true},
+        {.name = QStringLiteral("D"), .ink = Ink::channel_d, .thin = true}};
+    add(found.c, curves[0]);
+    add(found.d, curves[1]);
+    return curves;
 }
 
 // The higher of both channels at the nearest bin.
@@ -119,16 +108,6 @@ AxisRange densityRange(const std::vector<XYSeries>& channels) {
     std::ranges::nth_element(all, low);
     const double lowest = *low;
     return {lowest / 3, 2 * *std::ranges::max_element(all)};
-}
-
-XYSeries correlationSeries(const Residuals& found, const ResidualChannel& channel, const char* name,
-                           Ink ink) {
-    XYSeries series{.name = QLatin1String(name), .ink = ink, .thin = true};
-    for (std::size_t lag = 1; lag < channel.autocorrelation.size(); ++lag) {
-        series.x.push_back(1e3 * static_cast<double>(lag) / found.rate_hz);
-        series.y.push_back(channel.autocorrelation[lag]);
-    }
-    return series;
 }
 
 }  // namespace
@@ -255,9 +234,15 @@ XYPlot histogramPlot(const Residuals* found, const QString& empty) {
                 .empty = empty};
     if (found != nullptr && !found->c.histogram.counts.empty() &&
         !found->d.histogram.counts.empty()) {
-        plot.series = {histogramSeries(found->c, "C", Ink::channel_c),
-                       histogramSeries(found->d, "D", Ink::channel_d),
+        plot.series = {histogramSteps(found->c.histogram, QStringLiteral("C"), Ink::channel_c),
+                       histogramSteps(found->d.histogram, QStringLiteral("D"), Ink::channel_d),
                        normalCurve(ResidualWords::tr("normal"), 1, 161)};
+        for (const auto& [channel, steps] :
+             {std::pair{&found->c, &plot.series[0]}, std::pair{&found->d, &plot.series[1]}}) {
+            const double whole =
+                channel->histogram.width * static_cast<double>(channel->moments.count);
+            std::ranges::for_each(steps->y, [whole](double& count) { count /= whole; });
+        }
     }
     return plot;
 }
@@ -281,9 +266,17 @@ XYPlot spectrumPlot(const Residuals* found, const QString& unit, std::optional<s
         lines.x.push_back(line.f_hz);
         lines.y.push_back(heightOf(*found, line));
     }
-    plot.series = {densitySeries(*found, found->c, "C", Ink::channel_c),
-                   densitySeries(*found, found->d, "D", Ink::channel_d), lines};
-    plot.y_range = densityRange({plot.series[0], plot.series[1]});
+    plot.series = channelCurves(*found, [found](const ResidualChannel& channel, XYSeries& curve) {
+        // Bin 0 has no place on a logarithmic axis, and no density below rounding.
+        for (std::size_t k = 1; k < channel.density.size(); ++k) {
+            if (channel.density[k] > 0) {
+                curve.x.push_back(static_cast<double>(k) * found->bin_hz);
+                curve.y.push_back(channel.amplitude_density(k));
+            }
+        }
+    });
+    plot.y_range = densityRange(plot.series);
+    plot.series.push_back(lines);
     if (chosen && *chosen < found->lines.size()) {
         plot.series.push_back(markOn(lines, *chosen, Ink::warning));
     }
@@ -299,8 +292,12 @@ XYPlot correlationPlot(const Residuals* found, const QString& empty) {
         found->d.autocorrelation.size() < 2) {
         return plot;
     }
-    plot.series = {correlationSeries(*found, found->c, "C", Ink::channel_c),
-                   correlationSeries(*found, found->d, "D", Ink::channel_d)};
+    plot.series = channelCurves(*found, [found](const ResidualChannel& channel, XYSeries& curve) {
+        for (std::size_t lag = 1; lag < channel.autocorrelation.size(); ++lag) {
+            curve.x.push_back(1e3 * static_cast<double>(lag) / found->rate_hz);
+            curve.y.push_back(channel.autocorrelation[lag]);
+        }
+    });
     for (const double side : {1.0, -1.0}) {
         const QString name =
             side > 0 ? QStringLiteral("±%1/√N").arg(numberLabel(1.96, 2)) : QString();

@@ -17,6 +17,7 @@
 #include <QResizeEvent>
 #include <QScrollBar>
 #include <QStyle>
+#include <QStyledItemDelegate>
 #include <QTextDocument>
 
 #include <algorithm>
@@ -29,18 +30,10 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int padding = 4;
-
-void prepare(QTextDocument& document, const QString& text, const QFont& font) {
-    document.setDocumentMargin(0);
-    document.setDefaultFont(font);
-    document.setHtml(richText(WrappingDelegate::unbroken(text)));
-}
-
 constexpr int header_margin = 16;
 
-}  // namespace
-
-QString WrappingDelegate::unbroken(QString text) {
+// The text as it is drawn: no line breaks within a unit or before a deviation.
+QString unbroken(QString text) {
     // Neither does a symbol stand alone on a line behind the name of its quantity.
     static const QRegularExpression symbol(QStringLiteral(" (\\S{1,4})(?=,|$)"));
     return text.replace(symbol, QStringLiteral("\u00a0\\1"))
@@ -49,40 +42,57 @@ QString WrappingDelegate::unbroken(QString text) {
         .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
 }
 
-void WrappingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                             const QModelIndex& index) const {
-    QStyleOptionViewItem item = option;
-    initStyleOption(&item, index);
-    const QString text = std::exchange(item.text, {});
-    const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
-    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
-    QTextDocument document;
-    prepare(document, text, item.font);
-    const QRect area = item.rect.adjusted(padding, 2, -padding, -2);
-    document.setTextWidth(area.width());
-    QAbstractTextDocumentLayout::PaintContext context;
-    const bool selected = (item.state & QStyle::State_Selected) != 0;
-    context.palette.setColor(
-        QPalette::Text, item.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
-    painter->save();
-    painter->setClipRect(item.rect);
-    painter->translate(area.topLeft());
-    document.documentLayout()->draw(painter, context);
-    painter->restore();
+void prepare(QTextDocument& document, const QString& text, const QFont& font) {
+    document.setDocumentMargin(0);
+    document.setDefaultFont(font);
+    document.setHtml(richText(unbroken(text)));
 }
 
-int WrappingDelegate::widthFor(const QString& text, const QFont& font) {
+// Of a cell with a text, pixels: width on one line, height in a column of a given width.
+int widthFor(const QString& text, const QFont& font) {
     QTextDocument document;
     prepare(document, text, font);
     return static_cast<int>(std::ceil(document.idealWidth())) + 2 * padding + 2;
 }
 
-int WrappingDelegate::heightFor(const QString& text, const QFont& font, int width) {
+int heightFor(const QString& text, const QFont& font, int width) {
     QTextDocument document;
     prepare(document, text, font);
     document.setTextWidth(std::max(20, width - 2 * padding - 1));
     return static_cast<int>(std::ceil(document.size().height())) + 5;
 }
+
+// Draws the texts of a table with subscripts, in as many lines as needed. The table sets the
+// heights of its rows by heightFor(), because a delegate does not know the width in sizeHint().
+class WrappingDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyleOptionViewItem item = option;
+        initStyleOption(&item, index);
+        const QString text = std::exchange(item.text, {});
+        const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
+        style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+        QTextDocument document;
+        prepare(document, text, item.font);
+        const QRect area = item.rect.adjusted(padding, 2, -padding, -2);
+        document.setTextWidth(area.width());
+        QAbstractTextDocumentLayout::PaintContext context;
+        const bool selected = (item.state & QStyle::State_Selected) != 0;
+        context.palette.setColor(
+            QPalette::Text,
+            item.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+        painter->save();
+        painter->setClipRect(item.rect);
+        painter->translate(area.topLeft());
+        document.documentLayout()->draw(painter, context);
+        painter->restore();
+    }
+};
+
+}  // namespace
 
 QString cellNumber(double value) {
     return QLocale().toString(value, 'g', 12);
@@ -188,9 +198,8 @@ int QuantityTable::leastWidth(int column) const {
         }
     }
     for (int row = 0; row < rowCount(); ++row) {
-        for (const QString& word :
-             WrappingDelegate::unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
-            width = std::max(width, WrappingDelegate::widthFor(word, font()) + 2);
+        for (const QString& word : unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
+            width = std::max(width, widthFor(word, font()) + 2);
         }
     }
     return width;
@@ -230,7 +239,7 @@ int QuantityTable::heightOf(int row, const std::vector<int>& widths) const {
     int height = 0;
     for (std::size_t k = 0; k < widths.size(); ++k) {
         const QString text = item(row, static_cast<int>(k))->text();
-        height = std::max(height, WrappingDelegate::heightFor(text, font(), widths[k]));
+        height = std::max(height, heightFor(text, font(), widths[k]));
     }
     return height;
 }
@@ -267,7 +276,7 @@ std::vector<int> QuantityTable::wishes(bool wrapped) const {
         }
         for (int row = 0; row < rowCount(); ++row) {
             const QString text = item(row, column)->text();
-            const int wish = WrappingDelegate::widthFor(text, font());
+            const int wish = widthFor(text, font());
             const std::size_t k = static_cast<std::size_t>(column) - 1;
             const bool number =
                 column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();

@@ -98,6 +98,7 @@ QString textOf(const QuantityText& quantity) {
 struct Unit {
     const char* name = "";
     bool takes_prefix = false;
+    double factor = 1;        // from stored to displayed values
     const char* before = "";  // the symbol
     const char* behind = "";
 };
@@ -106,12 +107,12 @@ struct Unit {
 constexpr std::array<Unit, 2> amplitude_units{Unit{},
                                               {QT_TRANSLATE_NOOP("DisplayUnits", "dB"), false}};
 constexpr std::array<Unit, 2> angle_units{Unit{QT_TRANSLATE_NOOP("DisplayUnits", "rad"), true},
-                                          {"°", false}};
+                                          {"°", false, 180 / std::numbers::pi}};
 constexpr std::array<Unit, 4> frequency_units{
-    Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π"},
-    {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true},
-    {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, "", "/2π − f_0"},
-    {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false, "Δ", "/ω_0"}};
+    Unit{QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, 1, "", "/2π"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "rad/s"), true, 2 * std::numbers::pi},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "Hz"), true, 1, "", "/2π − f_0"},
+    {QT_TRANSLATE_NOOP("DisplayUnits", "ppm"), false, 1, "Δ", "/ω_0"}};
 
 Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
     switch (info(variable).quantity) {
@@ -134,27 +135,16 @@ double DisplayScale::sd(double stored, double sd) const {
 }
 
 DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz) {
+    const Quantity quantity = info(variable).quantity;
+    const bool ppm = units.frequency == FrequencyUnit::deviation_ppm;
     DisplayScale scale;
-    switch (info(variable).quantity) {
-        case Quantity::amplitude:
-            scale.decibels = units.amplitude == AmplitudeUnit::decibels;
-            scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
-            break;
-        case Quantity::angle:
-            scale.factor = units.angle == AngleUnit::degrees ? 180 / std::numbers::pi : 1;
-            break;
-        case Quantity::frequency:
-            switch (units.frequency) {
-                case FrequencyUnit::hertz: break;
-                case FrequencyUnit::radians_per_second: scale.factor = 2 * std::numbers::pi; break;
-                case FrequencyUnit::deviation_hertz: scale.origin = f0_hz; break;
-                case FrequencyUnit::deviation_ppm:
-                    scale.origin = f0_hz;
-                    scale.factor = f0_hz > 0 ? 1e6 / f0_hz : 1;
-                    break;
-            }
-            break;
-        case Quantity::ratio: break;
+    scale.decibels = quantity == Quantity::amplitude && units.amplitude == AmplitudeUnit::decibels;
+    scale.logarithmic = variable == SlowVariable::a_A && units.log_a_A && !scale.decibels;
+    scale.factor = unitOf(variable, units).factor;
+    if (quantity == Quantity::frequency &&
+        (ppm || units.frequency == FrequencyUnit::deviation_hertz)) {
+        scale.origin = f0_hz;
+        scale.factor = ppm && f0_hz > 0 ? 1e6 / f0_hz : 1;
     }
     return scale;
 }
