@@ -6,7 +6,9 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace vybeg::ui {
@@ -88,34 +90,22 @@ RoundSeries wave(const QString& name, int style, double two_theta_A) {
     return curve;
 }
 
-constexpr int curve_steps = 180;
-
-// Over the period of 90 degrees.
-double curveAngle(int step) {
-    return (static_cast<double>(step) / curve_steps - 0.5) * std::numbers::pi / 2;
-}
-
-XYSeries driftCurve(const DriftFunction& drift, double angle, double rate) {
-    XYSeries curve{.name = ResonatorWords::tr("fitted"), .ink = Ink::text};
-    for (int k = 0; k <= curve_steps; ++k) {
-        const double theta = curveAngle(k);
-        curve.x.push_back(angle * theta);
-        curve.y.push_back(rate * drift.rate(theta));
-        curve.sd.push_back(rate * drift.u_rate(theta));
+// The fitted harmonics, and for comparison the curve of the fitted resonator, over the period of 90
+// degrees.
+std::array<XYSeries, 2> driftCurves(const Identification& found, double angle, double rate) {
+    constexpr int steps = 180;
+    const Eigen::Matrix2cd m = SlowDynamics(found.fit.motion.shared).matrix();
+    XYSeries fitted{.name = ResonatorWords::tr("fitted"), .ink = Ink::text};
+    XYSeries resonator = dashedLine(ResonatorWords::tr("resonator"), Ink::text);
+    for (int k = 0; k <= steps; ++k) {
+        const double theta = (static_cast<double>(k) / steps - 0.5) * std::numbers::pi / 2;
+        fitted.x.push_back(angle * theta);
+        fitted.y.push_back(rate * found.drift.rate(theta));
+        fitted.sd.push_back(rate * found.drift.u_rate(theta));
+        resonator.y.push_back(rate * drift_of_dynamics(m, theta));
     }
-    return curve;
-}
-
-// The curve of the fitted resonator, for comparison.
-XYSeries resonatorCurve(const ResonatorFit& fit, double angle, double rate) {
-    const Eigen::Matrix2cd m = SlowDynamics(fit.motion.shared).matrix();
-    XYSeries curve = dashedLine(ResonatorWords::tr("resonator"), Ink::text);
-    for (int k = 0; k <= curve_steps; ++k) {
-        const double theta = curveAngle(k);
-        curve.x.push_back(angle * theta);
-        curve.y.push_back(rate * drift_of_dynamics(m, theta));
-    }
-    return curve;
+    resonator.x = fitted.x;
+    return {std::move(fitted), std::move(resonator)};
 }
 
 XYSeries trackOf(const RunTrack& track, TrackVariable variable, double angle) {
@@ -145,8 +135,8 @@ XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units) {
                 .y_takes_prefix = units.angle == AngleUnit::radians,
                 .empty = reasonText(no_drift_function(outcome.identification))};
     if (drift.order > 0) {
-        plot.series.push_back(driftCurve(drift, angle, rate));
-        plot.series.push_back(resonatorCurve(outcome.identification.fit, angle, rate));
+        std::ranges::move(driftCurves(outcome.identification, angle, rate),
+                          std::back_inserter(plot.series));
     }
     for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
         XYSeries points{.name = shortName(outcome.set.recordings[run].name()),

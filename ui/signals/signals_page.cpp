@@ -133,10 +133,10 @@ SignalContent SignalsPage::content() const {
         content.rate_hz = entry->recording->rate_hz;
         content.frames = entry->recording->frames();
         content.unit = channelUnit(*entry->recording);
-        content.excerpt = excerpt_;
+        content.excerpt = known_.excerpt;
         // With gaps for lost samples there are more.
-        if (source_) {
-            content.frames = source_->samples->frames();
+        if (known_.source) {
+            content.frames = known_.source->samples->frames();
         }
     }
     if (const AnalysisEntry* chosen = fitted()) {
@@ -155,13 +155,8 @@ SignalContent SignalsPage::content() const {
 void SignalsPage::refresh() {
     const RecordingEntry* entry = document_.currentRecording();
     const auto samples = entry && entry->recording ? entry->recording->source : nullptr;
-    if (!entry || entry->id != source_recording_ || samples != source_samples_) {
-        // Of another recording nothing is kept.
-        source_recording_ = entry ? entry->id : RecordingId::none;
-        source_samples_ = samples;
-        source_.reset();
-        excerpt_.reset();
-        failure_.reset();
+    if (!entry || entry->id != known_.recording || samples != known_.samples) {
+        known_ = {entry ? entry->id : RecordingId::none, samples};
         job_.forget(job_key);
         reading_ = false;
     }
@@ -187,9 +182,10 @@ void SignalsPage::request() {
     }
     const AnalysisEntry* chosen = fitted();
     const auto analysis = chosen ? chosen->shown.analysis : nullptr;
-    const bool same = source_ && source_->analysis == analysis;
-    if (same && (failure_ || (excerpt_ && covers(*excerpt_, beyond(time, least_reach),
-                                                 source_->samples->frames())))) {
+    const bool same = known_.source && known_.source->analysis == analysis;
+    if (same &&
+        (known_.failure || (known_.excerpt && covers(*known_.excerpt, beyond(time, least_reach),
+                                                     known_.source->samples->frames())))) {
         return;
     }
     const AxisRange wanted = beyond(time, reach);
@@ -199,7 +195,7 @@ void SignalsPage::request() {
     reading_ = true;
     job_.run<Excerpt>(
         job_key,
-        [recording, analysis, known = same ? source_ : std::nullopt, from,
+        [recording, analysis, known = same ? known_.source : std::nullopt, from,
          count = end - from](const JobControl& job) -> Result<Excerpt> {
             auto source =
                 TRY(known ? Result<SignalSource>(*known) : signal_source(recording, analysis, job));
@@ -212,16 +208,16 @@ void SignalsPage::request() {
 
 void SignalsPage::take(Result<Excerpt> result) {
     reading_ = false;
-    failure_.reset();
+    known_.failure.reset();
     if (result) {
-        source_ = std::move(result->source);
-        excerpt_ = std::move(result->samples);
+        known_.source = std::move(result->source);
+        known_.excerpt = std::move(result->samples);
     } else {
-        failure_ = result.error();
+        known_.failure = result.error();
     }
     view_->setContent(content());
     showState();
-    if (!failure_) {
+    if (!known_.failure) {
         pause_.start();  // the range may have moved meanwhile
     }
 }
@@ -246,8 +242,8 @@ QString SignalsPage::stateText() const {
     if (!entry->recording) {
         return tr("The recording %1 is being opened…").arg(entry->name);
     }
-    if (failure_) {
-        return errorText(*failure_);
+    if (known_.failure) {
+        return errorText(*known_.failure);
     }
     const AnalysisEntry* chosen = document_.analysis(analysis_id_);
     if (!chosen) {

@@ -82,6 +82,15 @@ private:
         std::shared_ptr<const SignalExcerpt> samples;
     };
 
+    // What is read of a recording.
+    struct Known {
+        RecordingId recording = RecordingId::none;
+        std::shared_ptr<const SampleSource> samples{};  // as recorded
+        std::optional<SignalSource> source{};           // of this excerpt, and of the next one
+        std::shared_ptr<const SignalExcerpt> excerpt{};
+        std::optional<Error> failure{};
+    };
+
     // The chosen analysis, if it is one of the current recording and has all its windows.
     const AnalysisEntry* fitted() const;
     void refresh();
@@ -102,13 +111,8 @@ private:
     QLabel* state_;
     SignalsView* view_;
     AnalysisId analysis_id_ = AnalysisId::none;
-    // Of the excerpt that is shown, and of the next one.
-    std::optional<SignalSource> source_;
-    RecordingId source_recording_ = RecordingId::none;
-    std::shared_ptr<const SampleSource> source_samples_;  // as recorded
-    std::shared_ptr<const SignalExcerpt> excerpt_;
+    Known known_;
     bool reading_ = false;
-    std::optional<Error> failure_;
 };
 
 }  // namespace vybeg::ui
