@@ -250,7 +250,7 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     limit_->setUnit(QStringLiteral("ppm"));
     limit_label_->setBuddy(limit_);
     fill(new QHBoxLayout(limit), {6, 0, 6, 0}, {limit_label_, {limit_, 1}});
-    track_choice_->addItems({QString(), QString(), QString()});  // in the order of TrackVariable
+    track_choice_->addItems({QString(), QString(), QString()});  // in the order of SlowVariable
     fill(new QVBoxLayout(this), {}, 2,
          {passport_, other_gyro_, limit, differences_, incomparable_, track_choice_, tracks_,
           close_});
@@ -291,7 +291,7 @@ void ComparisonView::showAgain() {
                                  differenceRows(differences, units(), theme()));
         incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
         tracks_->setContent(trackPlot(*shown_, passport->passport,
-                                      static_cast<TrackVariable>(track_choice_->currentIndex()),
+                                      static_cast<SlowVariable>(track_choice_->currentIndex()),
                                       units()));
     }
 }

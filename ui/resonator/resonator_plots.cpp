@@ -108,14 +108,14 @@ std::array<XYSeries, 2> driftCurves(const Identification& found, double angle, d
     return {std::move(fitted), std::move(resonator)};
 }
 
-XYSeries trackOf(const RunTrack& track, TrackVariable variable, double angle) {
-    if (variable == TrackVariable::two_theta_A) {
+XYSeries trackOf(const RunTrack& track, SlowVariable variable, double angle) {
+    if (variable == SlowVariable::two_theta_A) {
         return {.x = track.time_s,
                 .y = times(angle, track.two_theta_A),
                 .sd = times(angle, track.sd_two_theta_A)};
     }
     return {.x = track.time_s,
-            .y = variable == TrackVariable::a_A ? track.a_A : track.a_B,
+            .y = variable == SlowVariable::a_A ? track.a_A : track.a_B,
             .sd = track.sd_a};
 }
 
@@ -210,15 +210,13 @@ RoundPlot rimPlot(const SetResult& outcome) {
     return plot;
 }
 
-XYPlot trackPlot(const SetResult& outcome, const Passport& passport, TrackVariable variable,
+XYPlot trackPlot(const SetResult& outcome, const Passport& passport, SlowVariable variable,
                  const DisplayUnits& units) {
     XYPlot plot;
     plot.x_name = QStringLiteral("t");
     plot.x_unit = ResonatorWords::tr("s");
-    const bool is_angle = variable == TrackVariable::two_theta_A;
-    plot.y_name = is_angle                         ? QStringLiteral("2θ_A")
-                  : variable == TrackVariable::a_A ? QStringLiteral("a_A")
-                                                   : QStringLiteral("a_B");
+    const bool is_angle = variable == SlowVariable::two_theta_A;
+    plot.y_name = displaySymbol(variable, {});
     plot.y_unit = is_angle ? angleUnit(units) : QString();
     plot.y_takes_prefix = is_angle && units.angle == AngleUnit::radians;
     const double angle = angleFactor(units);

@@ -23,11 +23,8 @@ XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnit
 // the wave of each recording at its start. Empty for the free model.
 RoundPlot rimPlot(const SetResult& outcome);
 
-// Slow variable of a run to plot.
-enum class TrackVariable { a_A, a_B, two_theta_A };
-
-// Runs of an identification (lines) and of a passport (dashed).
-XYPlot trackPlot(const SetResult& outcome, const Passport& passport, TrackVariable variable,
+// a_A, a_B or 2theta_A of the runs of an identification (lines) and of a passport (dashed).
+XYPlot trackPlot(const SetResult& outcome, const Passport& passport, SlowVariable variable,
                  const DisplayUnits& units);
 
 }  // namespace vybeg::ui
