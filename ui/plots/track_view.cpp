@@ -2,7 +2,6 @@
 
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/plot_stack.h"
-#include "ui/values/curve_data.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/rich_text.h"
 
@@ -133,34 +132,12 @@ protected:
         TimeOverlay::draw(painter);
         if (const auto time_s = gestures().tracker()) {
             for (const PlotPanel* panel : stack_.panels()) {
-                drawDots(*painter, *panel, *time_s);
+                panel->drawDots(*painter, *time_s);
             }
         }
     }
 
 private:
-    void drawDots(QCPPainter& painter, const PlotPanel& panel, double time_s) const {
-        painter.setAntialiasing(true);
-        for (const DecimatedGraph* graph : panel.graphs()) {
-            if (!covers(graph->data().analysis(), time_s)) {
-                continue;
-            }
-            const std::size_t row = graph->data().nearest(time_s);
-            const double value = graph->scale().value(graph->data().value(row));
-            const double time = graph->data().time(row);
-            if (!std::isfinite(value) || !panel.values().contains(value) ||
-                !panel.time().contains(time)) {
-                continue;
-            }
-            painter.setPen(QPen(stack_.theme().panelBackground, 1));
-            painter.setBrush(graph->color());
-            painter.drawEllipse(QPointF(panel.timeAxis()->coordToPixel(time),
-                                        panel.valueAxis()->coordToPixel(value)),
-                                3.5, 3.5);
-        }
-        painter.setBrush(Qt::NoBrush);
-    }
-
     const PlotStack& stack_;
     QString hint_;
     int unlike_ = 0;

@@ -224,177 +224,197 @@ int decimalsOf(const TimePanel& panel) {
     return std::clamp(5 - static_cast<int>(std::floor(std::log10(largest))), 0, 15);
 }
 
-}  // namespace
+// What one plot of the signals draws: minima and maxima with the amplitude of the fitted wave, or
+// samples as dots with thin lines between them and the wave itself; of the residual the rms of the
+// windows or its samples.
+class SignalGraph : public TimeGraph {
+public:
+    // Content and picture outlive its drawings.
+    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part, const SignalContent& content,
+                const SignalPicture& picture)
+        : TimeGraph(keyAxis, valueAxis), part_(part), content_(content), picture_(picture) {}
 
-template <class Value>
-QPolygonF SignalGraph::points(Value value) const {
-    QPolygonF list;
-    list.reserve(static_cast<qsizetype>(picture_.to - picture_.from));
-    for (std::size_t k = picture_.from; k < picture_.to; ++k) {
-        const double stored = value(*content_.excerpt, k);
-        list.append(
-            {x(content_.excerpt->time_s(k)), std::isfinite(stored) ? y(stored) : std::nan("")});
-    }
-    return list;
-}
-
-double SignalGraph::samplesApart() const {
-    return std::abs(x(1 / content_.rate_hz) - x(0));
-}
-
-void SignalGraph::draw(QCPPainter* painter) {
-    const bool some = picture_.samples && content_.excerpt && picture_.to > picture_.from;
-    if (!picture_.columns.empty() || !picture_.rms.empty()) {
-        painter->save();
+protected:
+    void draw(QCPPainter* painter) override {
+        const bool some = picture_.samples && content_.excerpt && picture_.to > picture_.from;
+        if (!picture_.columns.empty() || !picture_.rms.empty()) {
+            painter->save();
+            if (some) {
+                // Beside the samples that are there already.
+                const QRectF all(clipRect());
+                const double from = x(content_.excerpt->time_s(picture_.from));
+                const double to = x(content_.excerpt->time_s(picture_.to - 1));
+                QRegion beside(clipRect());
+                beside -= QRectF(from, all.top(), to - from, all.height()).toAlignedRect();
+                painter->setClipRegion(beside, Qt::IntersectClip);
+            }
+            part_ == SignalPart::residual ? drawRms(*painter) : drawColumns(*painter);
+            painter->restore();
+        }
+        if (part_ == SignalPart::residual) {
+            if (some && content_.analysis) {
+                drawDots(*painter, points([](const auto& e, auto k) { return e.residual_c(k); }),
+                         content_.theme.signalC);
+                drawDots(*painter, points([](const auto& e, auto k) { return e.residual_d(k); }),
+                         content_.theme.signalD);
+            }
+            return;
+        }
+        const QColor ink = channelOf(content_, isD()).color;
+        QPolygonF samples;
         if (some) {
-            // Beside the samples that are there already.
-            const QRectF all(clipRect());
-            const double from = x(content_.excerpt->time_s(picture_.from));
-            const double to = x(content_.excerpt->time_s(picture_.to - 1));
-            QRegion beside(clipRect());
-            beside -= QRectF(from, all.top(), to - from, all.height()).toAlignedRect();
-            painter->setClipRegion(beside, Qt::IntersectClip);
+            samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
+            const bool dotted = samplesApart() >= dots_apart;
+            drawLines(*painter, samples, dotted ? translucent(ink, 0.45) : ink);
+            drawLost(*painter);
         }
-        part_ == SignalPart::residual ? drawRms(*painter) : drawColumns(*painter);
-        painter->restore();
-    }
-    if (part_ == SignalPart::residual) {
-        if (some && content_.analysis) {
-            drawDots(*painter, points([](const auto& e, auto k) { return e.residual_c(k); }),
-                     content_.theme.signalC);
-            drawDots(*painter, points([](const auto& e, auto k) { return e.residual_d(k); }),
-                     content_.theme.signalD);
+        drawCurve(*painter, 1);
+        if (!picture_.smooth) {
+            drawCurve(*painter, -1);
         }
-        return;
+        if (some && samplesApart() >= dots_apart) {
+            drawDots(*painter, samples, ink);
+        }
     }
-    const QColor ink = channelOf(content_, isD()).color;
-    QPolygonF samples;
-    if (some) {
-        samples = points([d = isD()](const auto& e, auto k) { return d ? e.d[k] : e.c[k]; });
-        const bool dotted = samplesApart() >= dots_apart;
-        drawLines(*painter, samples, dotted ? translucent(ink, 0.45) : ink);
-        drawLost(*painter);
-    }
-    drawCurve(*painter, 1);
-    if (!picture_.smooth) {
-        drawCurve(*painter, -1);
-    }
-    if (some && samplesApart() >= dots_apart) {
-        drawDots(*painter, samples, ink);
-    }
-}
 
-void SignalGraph::drawColumns(QCPPainter& painter) const {
-    if (picture_.columns.empty()) {
-        return;
-    }
-    const double from = x(picture_.columns_from_s);
-    const double to = x(picture_.columns_to_s);
-    const QRectF area(from, clipRect().top(), to - from, clipRect().height());
-    const ColumnRow row{area, (to - from) / static_cast<double>(picture_.columns.size())};
-    const Channel channel = channelOf(content_, isD());
-    const double scale = channel.gain * (y(0) - y(1));
-    painter.setAntialiasing(false);
-    paintUnread(painter, row, picture_.columns, content_.theme);
-    paintLane(painter, row, picture_.columns,
-              {channel.color, y(0) + scale * channel.offset, scale, channel.range});
-    paintMissing(painter, row, picture_.columns, content_.theme);
-}
+private:
+    bool isD() const { return part_ == SignalPart::d; }
+    double x(double time_s) const { return mKeyAxis->coordToPixel(time_s); }
+    double y(double value) const { return mValueAxis->coordToPixel(value); }
+    // Pixels.
+    double samplesApart() const { return std::abs(x(1 / content_.rate_hz) - x(0)); }
 
-// Between minus and plus the rms a pale band, and what lies between the least and the largest rms
-// of a column in full.
-void SignalGraph::drawRms(QCPPainter& painter) const {
-    QVector<QLineF> band;
-    QVector<QLineF> rims;
-    if (picture_.rms.empty()) {
-        return;
-    }
-    // Windows may be wider than a pixel.
-    const double half = 0.5 * static_cast<double>(content_.analysis->plan.hop) / content_.rate_hz;
-    double next = clipRect().left();  // the first pixel that is not drawn yet
-    for (const CurveColumn& column : picture_.rms) {
-        if (column.empty()) {
-            continue;
+    // Visible samples, by a value of the excerpt, as points of the plot.
+    template <class Value>
+    QPolygonF points(Value value) const {
+        QPolygonF list;
+        list.reserve(static_cast<qsizetype>(picture_.to - picture_.from));
+        for (std::size_t k = picture_.from; k < picture_.to; ++k) {
+            const double stored = value(*content_.excerpt, k);
+            list.append(
+                {x(content_.excerpt->time_s(k)), std::isfinite(stored) ? y(stored) : std::nan("")});
         }
-        const double from = std::floor(x(column.time_first - half));
-        const double to = std::min(std::max(from, x(column.time_last + half) - 1),
-                                   static_cast<double>(clipRect().right()));
-        for (next = std::max(next, from); next <= to; ++next) {
-            band.append({next, y(-column.min), next, y(column.min)});
-            for (const double sign : {-1, 1}) {
-                rims.append({next, y(sign * column.min) - 0.5, next, y(sign * column.max) + 0.5});
+        return list;
+    }
+
+    void drawColumns(QCPPainter& painter) const {
+        if (picture_.columns.empty()) {
+            return;
+        }
+        const double from = x(picture_.columns_from_s);
+        const double to = x(picture_.columns_to_s);
+        const QRectF area(from, clipRect().top(), to - from, clipRect().height());
+        const ColumnRow row{area, (to - from) / static_cast<double>(picture_.columns.size())};
+        const Channel channel = channelOf(content_, isD());
+        const double scale = channel.gain * (y(0) - y(1));
+        painter.setAntialiasing(false);
+        paintUnread(painter, row, picture_.columns, content_.theme);
+        paintLane(painter, row, picture_.columns,
+                  {channel.color, y(0) + scale * channel.offset, scale, channel.range});
+        paintMissing(painter, row, picture_.columns, content_.theme);
+    }
+
+    // Between minus and plus the rms a pale band, and what lies between the least and the largest
+    // rms of a column in full.
+    void drawRms(QCPPainter& painter) const {
+        QVector<QLineF> band;
+        QVector<QLineF> rims;
+        if (picture_.rms.empty()) {
+            return;
+        }
+        // Windows may be wider than a pixel.
+        const double half =
+            0.5 * static_cast<double>(content_.analysis->plan.hop) / content_.rate_hz;
+        double next = clipRect().left();  // the first pixel that is not drawn yet
+        for (const CurveColumn& column : picture_.rms) {
+            if (column.empty()) {
+                continue;
+            }
+            const double from = std::floor(x(column.time_first - half));
+            const double to = std::min(std::max(from, x(column.time_last + half) - 1),
+                                       static_cast<double>(clipRect().right()));
+            for (next = std::max(next, from); next <= to; ++next) {
+                band.append({next, y(-column.min), next, y(column.min)});
+                for (const double sign : {-1, 1}) {
+                    rims.append(
+                        {next, y(sign * column.min) - 0.5, next, y(sign * column.max) + 0.5});
+                }
+            }
+        }
+        const QColor pale = translucent(content_.theme.text, 0.16);
+        painter.setAntialiasing(false);
+        painter.setPen(QPen(pale, 1, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(band);
+        painter.setPen(QPen(content_.theme.mutedText, 1, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(rims);
+    }
+
+    void drawLines(QCPPainter& painter, const QPolygonF& points, const QColor& color) const {
+        const double apart = samplesApart();
+        painter.setAntialiasing(apart >= dots_apart);
+        painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(apart < dense ? columnsOf(points) : segmentsOf(points));
+    }
+
+    void drawCurve(QCPPainter& painter, double sign) const {
+        const SignalCurve& curve = picture_.wave;
+        const std::vector<double>& values = isD() ? curve.d : curve.c;
+        QPolygonF points;
+        points.reserve(static_cast<qsizetype>(values.size()));
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            points.append({x(curve.time_s[k]),
+                           std::isfinite(values[k]) ? y(sign * values[k]) : std::nan("")});
+        }
+        const bool fine = !picture_.smooth || picture_.period_pixels >= smooth_period;
+        painter.setAntialiasing(fine);
+        painter.setPen(QPen(content_.theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLines(segmentsOf(points));
+    }
+
+    void drawDots(QCPPainter& painter, const QPolygonF& points, const QColor& color) const {
+        const double apart = samplesApart();
+        const double radius = apart < 1                  ? 0.5
+                              : apart < dots_apart       ? 1
+                              : apart < large_dots_apart ? 1.8
+                                                         : 2.8;
+        painter.setAntialiasing(apart >= dots_apart);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        QVector<QRectF> squares;
+        for (const QPointF& point : points) {
+            if (!std::isfinite(point.y())) {
+                continue;
+            }
+            if (apart >= dots_apart) {
+                painter.drawEllipse(point, radius, radius);
+            } else {
+                squares.append({point.x() - radius, point.y() - radius, 2 * radius, 2 * radius});
+            }
+        }
+        painter.drawRects(squares);
+        painter.setBrush(Qt::NoBrush);
+    }
+
+    // Missing samples, as in the columns.
+    void drawLost(QCPPainter& painter) const {
+        const std::vector<double>& values = isD() ? content_.excerpt->d : content_.excerpt->c;
+        const QColor veil = translucent(content_.theme.warning, 0.35);
+        const double width = std::max(1., samplesApart());
+        for (std::size_t k = picture_.from; k < picture_.to; ++k) {
+            if (!std::isfinite(values[k])) {
+                painter.fillRect(QRectF(x(content_.excerpt->time_s(k)) - 0.5 * width,
+                                        clipRect().top(), width, clipRect().height()),
+                                 veil);
             }
         }
     }
-    const QColor pale = translucent(content_.theme.text, 0.16);
-    painter.setAntialiasing(false);
-    painter.setPen(QPen(pale, 1, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(band);
-    painter.setPen(QPen(content_.theme.mutedText, 1, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(rims);
-}
 
-void SignalGraph::drawLines(QCPPainter& painter, const QPolygonF& points,
-                            const QColor& color) const {
-    const double apart = samplesApart();
-    painter.setAntialiasing(apart >= dots_apart);
-    painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(apart < dense ? columnsOf(points) : segmentsOf(points));
-}
+    SignalPart part_;
+    const SignalContent& content_;
+    const SignalPicture& picture_;
+};
 
-void SignalGraph::drawCurve(QCPPainter& painter, double sign) const {
-    const SignalCurve& curve = picture_.wave;
-    const std::vector<double>& values = isD() ? curve.d : curve.c;
-    QPolygonF points;
-    points.reserve(static_cast<qsizetype>(values.size()));
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        points.append(
-            {x(curve.time_s[k]), std::isfinite(values[k]) ? y(sign * values[k]) : std::nan("")});
-    }
-    const bool fine = !picture_.smooth || picture_.period_pixels >= smooth_period;
-    painter.setAntialiasing(fine);
-    painter.setPen(QPen(content_.theme.text, fine ? 1.4 : 1, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLines(segmentsOf(points));
-}
-
-void SignalGraph::drawDots(QCPPainter& painter, const QPolygonF& points,
-                           const QColor& color) const {
-    const double apart = samplesApart();
-    const double radius = apart < 1                  ? 0.5
-                          : apart < dots_apart       ? 1
-                          : apart < large_dots_apart ? 1.8
-                                                     : 2.8;
-    painter.setAntialiasing(apart >= dots_apart);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(color);
-    QVector<QRectF> squares;
-    for (const QPointF& point : points) {
-        if (!std::isfinite(point.y())) {
-            continue;
-        }
-        if (apart >= dots_apart) {
-            painter.drawEllipse(point, radius, radius);
-        } else {
-            squares.append({point.x() - radius, point.y() - radius, 2 * radius, 2 * radius});
-        }
-    }
-    painter.drawRects(squares);
-    painter.setBrush(Qt::NoBrush);
-}
-
-// Missing samples, as in the columns.
-void SignalGraph::drawLost(QCPPainter& painter) const {
-    const std::vector<double>& values = isD() ? content_.excerpt->d : content_.excerpt->c;
-    const QColor veil = translucent(content_.theme.warning, 0.35);
-    const double width = std::max(1., samplesApart());
-    for (std::size_t k = picture_.from; k < picture_.to; ++k) {
-        if (!std::isfinite(values[k])) {
-            painter.fillRect(QRectF(x(content_.excerpt->time_s(k)) - 0.5 * width, clipRect().top(),
-                                    width, clipRect().height()),
-                             veil);
-        }
-    }
-}
+}  // namespace
 
 SignalStack::SignalStack(QCustomPlot& plot, const std::vector<SignalPart>& parts, PlotHead head)
     : TimeStack(plot, 0, head), parts_(parts) {

@@ -67,39 +67,6 @@ SignalPicture pictureOf(const SignalContent& content, int width);
 // The value axis of a plot: all that is drawn in it, and the samples beside, with a margin.
 AxisRange valuesOf(const SignalContent& content, const SignalPicture& picture, SignalPart part);
 
-// What one plot of the signals draws: minima and maxima with the amplitude of the fitted wave, or
-// samples as dots with thin lines between them and the wave itself; of the residual the rms of the
-// windows or its samples.
-class SignalGraph : public TimeGraph {
-public:
-    // Content and picture outlive its drawings.
-    SignalGraph(QCPAxis* keyAxis, QCPAxis* valueAxis, SignalPart part, const SignalContent& content,
-                const SignalPicture& picture)
-        : TimeGraph(keyAxis, valueAxis), part_(part), content_(content), picture_(picture) {}
-
-protected:
-    void draw(QCPPainter* painter) override;
-
-private:
-    bool isD() const { return part_ == SignalPart::d; }
-    double x(double time_s) const { return mKeyAxis->coordToPixel(time_s); }
-    double y(double value) const { return mValueAxis->coordToPixel(value); }
-    // Visible samples, by a value of the excerpt, as points of the plot.
-    template <class Value>
-    QPolygonF points(Value value) const;
-    double samplesApart() const;  // pixels
-    void drawColumns(QCPPainter& painter) const;
-    void drawRms(QCPPainter& painter) const;
-    void drawCurve(QCPPainter& painter, double sign) const;
-    void drawLines(QCPPainter& painter, const QPolygonF& points, const QColor& color) const;
-    void drawDots(QCPPainter& painter, const QPolygonF& points, const QColor& color) const;
-    void drawLost(QCPPainter& painter) const;
-
-    SignalPart part_;
-    const SignalContent& content_;
-    const SignalPicture& picture_;
-};
-
 // The plots of the signals, on paper with a legend above; on the screen the overlay says what the
 // curves are.
 class SignalStack : public TimeStack {
