@@ -11,10 +11,6 @@ namespace {
 
 using Buckets = std::vector<EnvelopeBucket>;
 
-constexpr int missing_row = 3;
-
-}  // namespace
-
 void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
                const EnvelopeLane& lane) {
     QVector<QLineF> read;
@@ -37,21 +33,10 @@ void paintLane(QPainter& painter, const ColumnRow& row, const Buckets& columns,
     painter.drawLines(looked_at);
 }
 
-void paintMissing(QPainter& painter, const ColumnRow& row, const Buckets& columns,
-                  const Theme& theme) {
-    const QColor veil = translucent(theme.warning, 0.35);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (columns[i].missing) {
-            const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;
-            painter.fillRect(QRectF(x - 0.5, row.area.top(), 1, row.area.height()), veil);
-            painter.fillRect(QRectF(x - 1, row.area.bottom() - missing_row, 2, missing_row),
-                             theme.warning);
-        }
-    }
-}
+}  // namespace
 
-void paintUnread(QPainter& painter, const ColumnRow& row, const Buckets& columns,
-                 const Theme& theme) {
+void paintEnvelope(QPainter& painter, const ColumnRow& row, const Buckets& columns,
+                   std::initializer_list<EnvelopeLane> lanes, const Theme& theme) {
     for (std::size_t i = 0; i < columns.size();) {
         std::size_t end = i;
         while (end < columns.size() && columns[end].coverage == Coverage::none) {
@@ -64,6 +49,19 @@ void paintUnread(QPainter& painter, const ColumnRow& row, const Buckets& columns
                 QBrush(theme.grid, Qt::BDiagPattern));
         }
         i = std::max(end, i + 1);
+    }
+    for (const EnvelopeLane& lane : lanes) {
+        paintLane(painter, row, columns, lane);
+    }
+    constexpr int missing_row = 3;
+    const QColor veil = translucent(theme.warning, 0.35);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].missing) {
+            const double x = row.area.left() + (static_cast<double>(i) + 0.5) * row.width;
+            painter.fillRect(QRectF(x - 0.5, row.area.top(), 1, row.area.height()), veil);
+            painter.fillRect(QRectF(x - 1, row.area.bottom() - missing_row, 2, missing_row),
+                             theme.warning);
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QRectF>
 
+#include <initializer_list>
 #include <vector>
 
 class QPainter;
@@ -26,14 +27,10 @@ struct EnvelopeLane {
     ChannelRange EnvelopeBucket::*range = nullptr;
 };
 
-// Minima and maxima of a channel; columns of samples only are paler.
-void paintLane(QPainter& painter, const ColumnRow& row, const std::vector<EnvelopeBucket>& columns,
-               const EnvelopeLane& lane);
-// Marks at the foot where samples are missing.
-void paintMissing(QPainter& painter, const ColumnRow& row,
-                  const std::vector<EnvelopeBucket>& columns, const Theme& theme);
-// Hatches what is not read yet.
-void paintUnread(QPainter& painter, const ColumnRow& row,
-                 const std::vector<EnvelopeBucket>& columns, const Theme& theme);
+// Minima and maxima of channels; columns of samples only are paler. What is not read yet is hatched
+// below them; marks at the foot are above them, where samples are missing.
+void paintEnvelope(QPainter& painter, const ColumnRow& row,
+                   const std::vector<EnvelopeBucket>& columns,
+                   std::initializer_list<EnvelopeLane> lanes, const Theme& theme);
 
 }  // namespace vybeg::ui

@@ -166,12 +166,10 @@ void SignalView::drawEnvelope(QPainter& painter, const QRect& area) const {
         }
     }
     const double scale = top > 0 ? 0.5 * (lane_height - 2) / static_cast<double>(top) : 0;
-    paintUnread(painter, row, columns, theme_);
-    paintLane(painter, row, columns,
-              {theme_.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c});
-    paintLane(painter, row, columns,
-              {theme_.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d});
-    paintMissing(painter, row, columns, theme_);
+    paintEnvelope(painter, row, columns,
+                  {{theme_.signalC, area.top() + 0.5 * lane_height, scale, &EnvelopeBucket::c},
+                   {theme_.signalD, area.bottom() - 0.5 * lane_height, scale, &EnvelopeBucket::d}},
+                  theme_);
 }
 
 void SignalView::drawFaults(QPainter& painter, const QRect& area) const {

@@ -308,10 +308,9 @@ private:
         const Channel channel = channelOf(content_, isD());
         const double scale = channel.gain * (y(0) - y(1));
         painter.setAntialiasing(false);
-        paintUnread(painter, row, picture_.columns, content_.theme);
-        paintLane(painter, row, picture_.columns,
-                  {channel.color, y(0) + scale * channel.offset, scale, channel.range});
-        paintMissing(painter, row, picture_.columns, content_.theme);
+        paintEnvelope(painter, row, picture_.columns,
+                      {{channel.color, y(0) + scale * channel.offset, scale, channel.range}},
+                      content_.theme);
     }
 
     // Between minus and plus the rms a pale band, and what lies between the least and the largest
