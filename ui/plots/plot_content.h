@@ -31,18 +31,4 @@ int drawnWith(AnalysisId chosen, std::vector<ShownAnalysis>& analyses);
 // without a visible window.
 std::optional<AxisRange> coveredTime(const std::vector<ShownAnalysis>& analyses);
 
-// Time of a recording, which is shown where there is no analysis.
-struct RecordedTime {
-    AxisRange range;
-    double rate_hz = 0;  // 0: not known
-};
-
-// A view with its time range inside that of the visible analyses, or without any inside the
-// recording, and with valid value ranges.
-ZoomState clipped(ZoomState state, const std::vector<ShownAnalysis>& analyses,
-                  const RecordedTime& recorded);
-
-// Reference of frequency deviations: the carrier of the first visible analysis, or 0.
-double referenceFrequency(const std::vector<ShownAnalysis>& analyses);
-
 }  // namespace vybeg::ui

@@ -125,6 +125,16 @@ void forPieces(const std::vector<CurveColumn>& columns, Draw draw) {
 
 constexpr double least_mark_spacing = 4;
 
+// Reference of frequency deviations: the carrier of the first visible analysis, or 0.
+double referenceFrequency(const std::vector<ShownAnalysis>& analyses) {
+    const auto first =
+        std::find_if(analyses.begin(), analyses.end(), [](const ShownAnalysis& shown) {
+            return shown.visible && shown.analysis && shown.analysis->settings.f0_hz &&
+                   std::isfinite(shown.analysis->f0_hz());
+        });
+    return first == analyses.end() ? 0 : first->analysis->f0_hz();
+}
+
 }  // namespace
 
 // The curve of one analysis in one plot: min/max per pixel column, drawn as independent segments

@@ -145,9 +145,7 @@ private:
 
 TrackView::TrackView(QWidget* parent)
     : TimeGestures(parent),
-      zoom_([this](ZoomState state) {
-          return clipped(std::move(state), content_.analyses, recorded_);
-      }),
+      zoom_([this](ZoomState state) { return clipped(std::move(state)); }),
       stack_(*new PlotStack(plot(), 0, PlotHead::margin)),
       overlay_(new PlotOverlay(stack_, *this)) {
     setPlots(&stack_, *overlay_);
@@ -186,10 +184,44 @@ void TrackView::setAnalyses(std::vector<ShownAnalysis> analyses, int unlike) {
     }
 }
 
-void TrackView::setRecorded(const RecordedTime& recorded) {
+void TrackView::setRecorded(const AxisRange& range, double rate_hz) {
     const AxisRange before = fullTimeRange();
-    recorded_ = recorded;
+    recorded_ = range;
+    recorded_hz_ = rate_hz;
     zoom_.follow(before, fullTimeRange());
+}
+
+ZoomState TrackView::clipped(ZoomState state) const {
+    const AxisRange full = fullTimeRange();
+    AxisRange& time = state.time;
+    // Least span of four samples, the resolution of a track.
+    double least = 1e-6 * full.span();
+    const auto resolve = [&](double rate_hz) {
+        if (rate_hz > 0) {
+            least = std::min(least, 4 / rate_hz);
+        }
+    };
+    resolve(recorded_hz_);
+    for (const ShownAnalysis& shown : content_.analyses) {
+        resolve(shown.rate_hz);
+    }
+    const double span = std::clamp(time.span(), std::min(least, full.span()), full.span());
+    const double centre = 0.5 * (time.lower + time.upper);
+    // A range that only lies too far out is shifted at its edge, not through its centre, so that it
+    // keeps its last bit and the history recognises it.
+    if (span != time.span()) {
+        time = {centre - 0.5 * span, centre + 0.5 * span};
+    }
+    if (time.lower < full.lower) {
+        time = {full.lower, std::min(full.upper, full.lower + span)};
+    } else if (time.upper > full.upper) {
+        time = {std::max(full.lower, full.upper - span), full.upper};
+    }
+    std::erase_if(state.fixed, [](const auto& entry) {
+        const AxisRange& range = entry.second;
+        return !(range.span() > 0) || !std::isfinite(range.span());
+    });
+    return state;
 }
 
 void TrackView::setShownVariables(std::vector<SlowVariable> variables) {

@@ -34,7 +34,7 @@ public:
     void setAnalyses(std::vector<ShownAnalysis> analyses, int unlike = 0);
     const std::vector<ShownAnalysis>& analyses() const { return content_.analyses; }
     // Time that the zoom of other pages covers while there is no analysis.
-    void setRecorded(const RecordedTime& recorded);
+    void setRecorded(const AxisRange& range, double rate_hz);
     void setShownVariables(std::vector<SlowVariable> variables);
     const std::vector<SlowVariable>& shownVariables() const { return content_.variables; }
     // Drops value ranges fixed by hand if their unit changes.
@@ -45,9 +45,7 @@ public:
     // Clips the range to that of the analyses; adds it to the zoom history.
     void setTimeRange(AxisRange range);
     // Time range of the visible analyses; without any, that of the recording, otherwise {0, 1}.
-    AxisRange fullTimeRange() const {
-        return coveredTime(content_.analyses).value_or(recorded_.range);
-    }
+    AxisRange fullTimeRange() const { return coveredTime(content_.analyses).value_or(recorded_); }
     // Time range and fixed value ranges at once, one step of the zoom history.
     void setZoom(ZoomState state) { zoom_.visit(std::move(state), Gesture::none); }
 
@@ -98,13 +96,16 @@ private:
     void changeValues(SlowVariable variable, double factor, double about, double shift,
                       Gesture gesture);
 
+    // A view with its time range inside the full one, and with valid value ranges.
+    ZoomState clipped(ZoomState state) const;
     void rebuild();
     void matchFocus();
     void redraw();
     void followLayout();
 
     PlotContent content_;
-    RecordedTime recorded_;
+    AxisRange recorded_;
+    double recorded_hz_ = 0;  // sample rate; 0: not known
     ZoomNavigator zoom_;
     PlotStack& stack_;
     PlotOverlay* overlay_ = nullptr;

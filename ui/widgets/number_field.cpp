@@ -137,12 +137,11 @@ void NumberField::commit() {
         return;
     }
     setModified(false);
-    if (reading.value != value_) {
-        value_ = reading.value;
-        showValue();
+    const bool changed = value_ != reading.value;
+    value_ = reading.value;
+    showValue();
+    if (changed) {
         emit valueEdited(value_);
-    } else {
-        showValue();
     }
 }
 

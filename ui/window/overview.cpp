@@ -63,7 +63,7 @@ void Overview::showRecording() {
     const RecordingEntry* entry = document_.currentRecording();
     if (entry && entry->recording) {
         signal_->setReading(entry->recording->seconds());
-        tracks_.setRecorded({{0, entry->recording->seconds()}, entry->recording->rate_hz});
+        tracks_.setRecorded({0, entry->recording->seconds()}, entry->recording->rate_hz);
         showEnvelope();
         signal_->setFaults(entry->faults);
         showVisibleRange();
@@ -72,11 +72,11 @@ void Overview::showRecording() {
         const double seconds =
             static_cast<double>(entry->envelope->frames()) / entry->envelope_rate_hz;
         signal_->setReading(seconds);
-        tracks_.setRecorded({{0, seconds}, entry->envelope_rate_hz});
+        tracks_.setRecorded({0, seconds}, entry->envelope_rate_hz);
         showEnvelope();
     } else {
         signal_->setReading(0);
-        tracks_.setRecorded({});
+        tracks_.setRecorded({}, 0);
     }
 }
 
