@@ -33,26 +33,22 @@ constexpr std::size_t least_noise_columns = 20;
 constexpr double least_noise_height = 4;
 constexpr std::size_t mean_reach = 4;
 
-// A band at one column, pixels.
-struct BandPoint {
-    double x = 0;
-    double top = 0;
-    double bottom = 0;
-};
-
 // A small triangle whose tip touches the frame; `inwards` is +1 at the top and -1 at the foot.
 QPolygonF pointer(const QPointF& tip, double inwards) {
     constexpr double half = 3.5;
     return {{tip, tip + QPointF(half, 5 * inwards), tip + QPointF(-half, 5 * inwards)}};
 }
 
-void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
+// A band, as its vertical line from the top down at each column.
+using Band = std::vector<QLineF>;
+
+void drawBandShape(QCPPainter& painter, const Band& piece) {
     QPolygonF shape;
-    for (const BandPoint& point : piece) {
-        shape.append({point.x, point.top});
+    for (const QLineF& at : piece) {
+        shape.append(at.p1());
     }
-    for (auto point = piece.rbegin(); point != piece.rend(); ++point) {
-        shape.append({point->x, point->bottom});
+    for (auto at = piece.rbegin(); at != piece.rend(); ++at) {
+        shape.append(at->p2());
     }
     if (!shape.isEmpty()) {
         painter.drawPolygon(shape);
@@ -61,7 +57,7 @@ void drawBandShape(QCPPainter& painter, const std::vector<BandPoint>& piece) {
 
 // Draws the band pixel column by pixel column. A polygon with a noisy outline takes a raster
 // painter 20 ms and more per plot, this a fraction of 1 ms.
-void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
+void drawBandPixels(QCPPainter& painter, const Band& piece, const QColor& fill) {
     painter.setAntialiasing(false);
     // Single rectangles, because filling one with a colour needs no rasteriser. Limited height,
     // because from 96 rows on Qt starts threads for translucent fills and waits for them, which
@@ -75,19 +71,19 @@ void drawBandPixels(QCPPainter& painter, const std::vector<BandPoint>& piece, co
         }
     };
     if (piece.size() == 1) {
-        add(std::floor(piece[0].x), piece[0].top, piece[0].bottom);
+        add(std::floor(piece[0].x1()), piece[0].y1(), piece[0].y2());
     }
     for (std::size_t i = 1; i < piece.size(); ++i) {
-        const BandPoint& from = piece[i - 1];
-        const BandPoint& to = piece[i];
-        for (double x = std::ceil(from.x); x < to.x; x += 1) {
-            const double part = (x - from.x) / (to.x - from.x);
-            add(x, std::lerp(from.top, to.top, part), std::lerp(from.bottom, to.bottom, part));
+        const QLineF& from = piece[i - 1];
+        const QLineF& to = piece[i];
+        for (double x = std::ceil(from.x1()); x < to.x1(); x += 1) {
+            const double part = (x - from.x1()) / (to.x1() - from.x1());
+            add(x, std::lerp(from.y1(), to.y1(), part), std::lerp(from.y2(), to.y2(), part));
         }
     }
 }
 
-void fillBand(QCPPainter& painter, const std::vector<BandPoint>& piece, const QColor& fill) {
+void fillBand(QCPPainter& painter, const Band& piece, const QColor& fill) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
     painter.modes().testFlag(QCPPainter::pmVectorized) ? drawBandShape(painter, piece)
@@ -234,7 +230,7 @@ private:
     // From one value of the columns to another.
     void drawBand(QCPPainter& painter, const std::vector<CurveColumn>& columns,
                   double CurveColumn::*low, double CurveColumn::*high) const {
-        std::vector<BandPoint> piece;
+        Band piece;
         const auto flush = [&] {
             fillBand(painter, piece, bandColor());
             piece.clear();
@@ -248,7 +244,7 @@ private:
             }
             const AxisRange band = displayedInterval(look_.scale, column.*low, column.*high);
             const double x = pixelX(column);
-            piece.push_back({x, pixelY(band.upper), pixelY(band.lower)});
+            piece.emplace_back(x, pixelY(band.upper), x, pixelY(band.lower));
         }
         flush();
     }

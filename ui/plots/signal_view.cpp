@@ -71,16 +71,6 @@ void SignalView::setFaults(std::shared_ptr<const SampleFaults> faults) {
     }
 }
 
-void SignalView::setVisibleRange(AxisRange range) {
-    visible_ = range;
-    update();
-}
-
-void SignalView::setAnalysedRange(AxisRange range) {
-    analysed_ = range;
-    update();
-}
-
 void SignalView::setMargins(int left, int right) {
     if (left == left_ && right == right_) {
         return;
@@ -89,10 +79,6 @@ void SignalView::setMargins(int left, int right) {
     right_ = right;
     drawn_ = {};
     update();
-}
-
-QRect SignalView::plotArea() const {
-    return rect().adjusted(left_, 2, -right_, -range_row);
 }
 
 double SignalView::toPixel(double time_s) const {
@@ -261,10 +247,6 @@ void SignalView::drawLength(QPainter& painter, const QRect& area) const {
               QStringLiteral("%1 %2").arg(QLocale().toString(seconds_, 'g', digits), tr("s")));
 }
 
-bool SignalView::isBelow(const QPointF& position) const {
-    return position.y() > plotArea().bottom();
-}
-
 SignalView::Grip SignalView::gripAt(const QPointF& position) const {
     if (!envelope_ || !rect().contains(position.toPoint())) {
         return Grip::none;
@@ -281,9 +263,13 @@ SignalView::Grip SignalView::gripAt(const QPointF& position) const {
     return range.contains(toTime(position.x())) ? Grip::all : Grip::none;
 }
 
-void SignalView::edit(bool analysed, AxisRange edited) {
-    range(analysed) = edited;
+void SignalView::setRange(bool analysed, AxisRange range) {
+    this->range(analysed) = range;
     update();
+}
+
+void SignalView::edit(bool analysed, AxisRange edited) {
+    setRange(analysed, edited);
     analysed ? emit analysedRangeEdited(edited.lower, edited.upper)
              : emit visibleRangeEdited(edited.lower, edited.upper);
 }

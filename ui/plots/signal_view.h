@@ -33,12 +33,12 @@ public:
     // Faults of the recording check: clipped ranges are a bar along the top, places of lost samples
     // lines with a point. Null: unknown.
     void setFaults(std::shared_ptr<const SampleFaults> faults);
-    void setVisibleRange(AxisRange range);
-    void setAnalysedRange(AxisRange range);
+    void setVisibleRange(AxisRange range) { setRange(false, range); }
+    void setAnalysedRange(AxisRange range) { setRange(true, range); }
     // Margins of the time axis, pixels from both edges, for alignment with other plots.
     void setMargins(int left, int right);
     // Area above the time axis, in coordinates of the widget.
-    QRect plotArea() const;
+    QRect plotArea() const { return rect().adjusted(left_, 2, -right_, -range_row); }
 
     AxisRange visibleRange() const { return visible_; }
     AxisRange analysedRange() const { return analysed_; }
@@ -70,8 +70,10 @@ private:
     double toTime(double pixel) const;
     Grip gripAt(const QPointF& position) const;
     void drag(double time_s);
-    bool isBelow(const QPointF& position) const;  // the signals, where the analysed range lies
+    // The signals, where the analysed range lies.
+    bool isBelow(const QPointF& position) const { return position.y() > plotArea().bottom(); }
     AxisRange& range(bool analysed) { return analysed ? analysed_ : visible_; }
+    void setRange(bool analysed, AxisRange range);
     void edit(bool analysed, AxisRange edited);
     void zoomVisible(double factor, double about_s);
     void drawEnvelope(QPainter& painter, const QRect& area) const;

@@ -182,14 +182,6 @@ void TimePanel::draw(QCPPainter* painter) {
     }
 }
 
-QString TimePanel::offset(const AxisTicks& ticks) const {
-    return ticks.offset == 0 ? QString() : ticks.offsetText() + texts_.offset_unit;
-}
-
-QString TimePanel::unit(const AxisTicks& ticks) const {
-    return scaledUnit(texts_.unit, texts_.takes_prefix, ticks.exponent);
-}
-
 void TimePanel::drawHead(QCPPainter& painter) const {
     const AxisTicks& ticks = valueTicker().ticks();
     const double base = rect().top() - 7;

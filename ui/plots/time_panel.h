@@ -162,8 +162,12 @@ private:
     };
 
     // "−5300 Hz" of an axis that counts from an offset; empty without one.
-    QString offset(const AxisTicks& ticks) const;
-    QString unit(const AxisTicks& ticks) const;
+    QString offset(const AxisTicks& ticks) const {
+        return ticks.offset == 0 ? QString() : ticks.offsetText() + texts_.offset_unit;
+    }
+    QString unit(const AxisTicks& ticks) const {
+        return scaledUnit(texts_.unit, texts_.takes_prefix, ticks.exponent);
+    }
     std::vector<MarginLine> marginLines(const AxisTicks& ticks) const;
     void drawMarginLines(QCPPainter& painter) const;
     void drawHead(QCPPainter& painter) const;

@@ -23,10 +23,6 @@ namespace {
 constexpr int least_plot = 70;    // with the gap below it
 constexpr int around_plots = 20;  // time axis
 
-bool sameUnit(SlowVariable variable, const DisplayUnits& a, const DisplayUnits& b) {
-    return displayScale(variable, a, 1) == displayScale(variable, b, 1);
-}
-
 // Whether an analysis belongs to a recording without an analysis in `before`.
 bool hasOtherRecording(const std::vector<ShownAnalysis>& analyses,
                        const std::vector<ShownAnalysis>& before) {
@@ -232,8 +228,9 @@ void TrackView::setShownVariables(std::vector<SlowVariable> variables) {
 
 void TrackView::setUnits(const DisplayUnits& units) {
     ZoomState state = zoom_.current();
-    std::erase_if(state.fixed,
-                  [&](const auto& entry) { return !sameUnit(entry.first, units, content_.units); });
+    std::erase_if(state.fixed, [&](const auto& entry) {
+        return displayScale(entry.first, units, 1) != displayScale(entry.first, content_.units, 1);
+    });
     const bool changed = !(units == content_.units);
     content_.units = units;
     if (changed) {
@@ -269,10 +266,6 @@ void TrackView::setTimeRange(AxisRange range) {
 void TrackView::setTracker(std::optional<double> time_s) {
     tracker_ = time_s;
     refreshOverlay();
-}
-
-std::optional<double> TrackView::cursor(Cursor which) const {
-    return cursors_[static_cast<std::size_t>(which)];
 }
 
 void TrackView::setCursor(Cursor which, std::optional<double> time_s) {

@@ -52,7 +52,9 @@ public:
     ZoomNavigator& zoom() override { return zoom_; }
     std::optional<double> tracker() const override { return tracker_; }
     void setTracker(std::optional<double> time_s);
-    std::optional<double> cursor(Cursor which) const override;
+    std::optional<double> cursor(Cursor which) const override {
+        return cursors_[static_cast<std::size_t>(which)];
+    }
     void setCursor(Cursor which, std::optional<double> time_s);
     void moveTracker(std::optional<double> time_s) override;
     void moveCursor(Cursor which, std::optional<double> time_s) override;

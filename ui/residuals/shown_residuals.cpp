@@ -14,10 +14,6 @@ struct ResidualWords {
     Q_DECLARE_TR_FUNCTIONS(Residuals)
 };
 
-QString hertz(double f_hz, int decimals = 2) {
-    return numberLabel(f_hz, decimals);
-}
-
 QString significant(double value, int digits) {
     return std::abs(value) < 10 ? shortNumberText(value, digits) : numberLabel(value, 0);
 }
@@ -28,7 +24,7 @@ struct OriginText {
 };
 
 OriginText originText(const ResidualLine& line) {
-    const QString base = hertz(line.base_hz, 0);
+    const QString base = numberLabel(line.base_hz, 0);
     switch (line.origin) {
         case LineOrigin::wave:
             return {ResidualWords::tr("the wave itself"),
@@ -42,7 +38,7 @@ OriginText originText(const ResidualLine& line) {
                         "the wave changes inside them. Shorter windows follow it.")};
         case LineOrigin::window_image:
             return {ResidualWords::tr("image of the line at %1 Hz by the windows")
-                        .arg(hertz(line.base_hz)),
+                        .arg(numberLabel(line.base_hz, 2)),
                     ResidualWords::tr(
                         "Each window takes up a little of that line, which makes images beside the "
                         "carrier. Without the line they are gone, too.")};
@@ -54,7 +50,7 @@ OriginText originText(const ResidualLine& line) {
                 ResidualWords::tr("An electrical supply couples into the pick-offs.")};
         case LineOrigin::carrier_by_mains:
             return {ResidualWords::tr("carrier modulated at %1 Hz")
-                        .arg(hertz(line.order * line.base_hz, 0)),
+                        .arg(numberLabel(line.order * line.base_hz, 0)),
                     ResidualWords::tr(
                         "The distance from the carrier is that of the mains: they modulate the "
                         "wave or its pick-off.")};
@@ -198,13 +194,13 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
 }
 
 QString lineName(const ResidualLine& line) {
-    return ResidualWords::tr("%1 Hz: %2").arg(hertz(line.f_hz), originText(line).name);
+    return ResidualWords::tr("%1 Hz: %2").arg(numberLabel(line.f_hz, 2), originText(line).name);
 }
 
 QString bandText(const Band& band) {
     const int decimals = band.high_hz - band.low_hz < 40 ? 2 : 0;
     return ResidualWords::tr("%1 … %2 Hz")
-        .arg(hertz(band.low_hz, decimals), hertz(band.high_hz, decimals));
+        .arg(numberLabel(band.low_hz, decimals), numberLabel(band.high_hz, decimals));
 }
 
 QString lineSentence(const ResidualLine& line, const Residuals& found, const QString& unit) {
@@ -217,8 +213,9 @@ QString lineSentence(const ResidualLine& line, const Residuals& found, const QSt
                      .arg(amplitude(line.amplitude_c, line.sd_c),
                           amplitude(line.amplitude_d, line.sd_d));
     if (line.origin == LineOrigin::carrier_harmonic || line.origin == LineOrigin::folded_harmonic) {
-        sentences
-            << ResidualWords::tr("It is %1 times %2 Hz.").arg(line.order).arg(hertz(found.f0_hz));
+        sentences << ResidualWords::tr("It is %1 times %2 Hz.")
+                         .arg(line.order)
+                         .arg(numberLabel(found.f0_hz, 2));
     }
     sentences << originText(line).why;
     if (line.filter) {

@@ -49,18 +49,6 @@ void SignalsView::setContent(SignalContent content) {
     plot().replot(QCustomPlot::rpQueuedReplot);
 }
 
-const SignalContent& SignalsView::content() const {
-    return stack_.content();
-}
-
-const SignalPicture& SignalsView::picture() const {
-    return stack_.picture();
-}
-
-int SignalsView::timeWidth() const {
-    return stack_.frameWidth(plot().width());
-}
-
 void SignalsView::moveTracker(std::optional<double> time_s) {
     tracks_.moveTracker(time_s);
     refreshOverlay();

@@ -34,10 +34,10 @@ public:
 
     // The time range of the content is that of the tracks.
     void setContent(SignalContent content);
-    const SignalContent& content() const;
-    const SignalPicture& picture() const;
+    const SignalContent& content() const { return stack_.content(); }
+    const SignalPicture& picture() const { return stack_.picture(); }
     // Width of the time axis, pixels.
-    int timeWidth() const;
+    int timeWidth() const { return stack_.frameWidth(plot().width()); }
 
     QSize sizeHint() const override { return {900, 700}; }
     QSize minimumSizeHint() const override { return {320, 320}; }

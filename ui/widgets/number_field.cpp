@@ -210,10 +210,6 @@ bool NumberField::showsUnit() const {
                                 readNumber(placeholderText()).has_value());
 }
 
-int NumberField::unitWidth() const {
-    return unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 6;
-}
-
 QSize NumberField::minimumSizeHint() const {
     QSize size = QLineEdit::minimumSizeHint();
     size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000000")) + unitWidth() + 14);

@@ -76,7 +76,9 @@ private:
     void showValue();
     bool showsUnit() const;
     void makeRoom() { setTextMargins(0, 0, showsUnit() ? unitWidth() : 0, 0); }
-    int unitWidth() const;
+    int unitWidth() const {
+        return unit_.isEmpty() ? 0 : fontMetrics().horizontalAdvance(unit_) + 6;
+    }
 
     QString unit_;
     std::optional<double> value_;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -183,10 +182,6 @@ QString noiseText(double sd) {
         quantity_text(rounded, 3 * std::pow(10.0, std::floor(std::log10(rounded)) - (digits - 1)));
     quantity.sd.clear();
     return textOf(quantity);
-}
-
-QString valueText(double value, double sd) {
-    return valueText(value, sd, std::numeric_limits<double>::quiet_NaN());
 }
 
 QString conciseText(double value, double sd) {

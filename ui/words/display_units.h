@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <limits>
 
 namespace vybeg::ui {
 
@@ -88,12 +89,11 @@ bool isWrapped(SlowVariable variable);
 QString noiseText(double sd);
 
 // "0.9987 ± 0.0012": core/output/quantity_text.h with the default locale's decimal sign, a true
-// minus and digits in groups; "—" for NaN.
-QString valueText(double value, double sd);
+// minus and digits in groups; "—" for NaN. With a combined uncertainty behind it where that
+// differs: "1.00034 ± 0.00005 (u 0.0003)".
+QString valueText(double value, double sd, double u = std::numeric_limits<double>::quiet_NaN());
 // The same, shorter: the deviation in units of the value's last digit, "0.9987(12)".
 QString conciseText(double value, double sd);
-// With a combined uncertainty behind it where that differs: "1.00034 ± 0.00005 (u 0.0003)".
-QString valueText(double value, double sd, double u);
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
 QString exactText(double value);
 
