@@ -15,15 +15,15 @@ namespace vybeg::ui {
 
 // A curve or points of a round plot.
 struct RoundSeries {
-    QString name;  // in the legend, an underscore introduces an index; empty: not in it
+    QString name{};  // in the legend, an underscore introduces an index; empty: not in it
     Ink ink = Ink::style;
-    QColor color;  // for Ink::style, before it is made readable
+    QColor color{};  // for Ink::style, before it is made readable
     int shade = 0;
     bool points = false;
     bool dashed = false;
     double width = 1.6;
-    std::vector<double> x;  // polar: angle, degrees
-    std::vector<double> y;  // polar: radius
+    std::vector<double> x{};  // polar: angle, degrees
+    std::vector<double> y{};  // polar: radius
 };
 
 // A plot around an origin, as a value, for screen and paper: polar, 0 degrees at the top and

@@ -25,11 +25,11 @@ struct DriftWords {
 };
 
 XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
-    XYSeries means;
-    means.name = DriftWords::tr("means over %1°")
-                     .arg(QLocale().toString(180.0 / static_cast<double>(drift.bins.size())));
-    means.ink = Ink::channel_c;
-    means.points = true;
+    XYSeries means{
+        .name = DriftWords::tr("means over %1°")
+                    .arg(QLocale().toString(180.0 / static_cast<double>(drift.bins.size()))),
+        .ink = Ink::channel_c,
+        .points = true};
     for (const LogBin& bin : drift.bins) {
         if (std::isfinite(bin.rate)) {
             means.x.push_back(angle * bin.theta);
@@ -41,9 +41,7 @@ XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
 }
 
 XYSeries harmonicsOf(const WholeAngleDrift& drift, double angle, double rate) {
-    XYSeries curve;
-    curve.name = DriftWords::tr("harmonics 2 and 4");
-    curve.ink = Ink::text;
+    XYSeries curve{.name = DriftWords::tr("harmonics 2 and 4"), .ink = Ink::text};
     for (int k = 0; k <= curve_steps; ++k) {
         const double theta = half_turn * k / curve_steps;
         curve.x.push_back(angle * theta);

@@ -38,7 +38,7 @@ void PlotStack::setContent(const PlotContent& content) {
 void PlotStack::showTitle() {
     constexpr int beside = 44;
     const int right = TimePanel::room(head()).right();
-    headStrip().setEntries({StripEntry{title_, false, false, {}, Qt::SolidLine}}, Qt::AlignHCenter);
+    headStrip().setEntries({StripEntry{title_}}, Qt::AlignHCenter);
     headStrip().setInset(right + beside, right, 0);
 }
 
@@ -46,8 +46,8 @@ void PlotStack::showNames(const PlotContent& content) {
     std::vector<StripEntry> entries;
     for (const ShownAnalysis& shown : content.analyses) {
         if (shown.visible && shown.analysis) {
-            entries.push_back({shown.name, true, true,
-                               readable(shown.color, content.theme, shown.shade), Qt::SolidLine});
+            entries.push_back(
+                {shown.name, true, true, readable(shown.color, content.theme, shown.shade)});
             if (!content.trends.empty() && content.trends.front().of == shown.id) {
                 entries.push_back({QCoreApplication::translate("PlotStack", "and its trend"), false,
                                    true, content.theme.text, Qt::DashLine});

@@ -136,7 +136,7 @@ void PlotStrip::shorten(double available) {
         StripEntry shorter = limited(entry, least_name);
         total += widthOf(shorter, font_) + entry_gap;
         if (total > available) {
-            shown_.push_back({QStringLiteral("…"), true, false, {}, Qt::SolidLine});
+            shown_.push_back({QStringLiteral("…"), true});
             return;
         }
         shown_.push_back(std::move(shorter));

@@ -11,7 +11,7 @@ struct StripEntry {
     QString text;
     bool literal = false;  // otherwise an underscore introduces an index
     bool line = false;
-    QColor color;
+    QColor color{};
     Qt::PenStyle dash = Qt::SolidLine;
     QCPScatterStyle points = {};  // if not none, in place of the line
 };

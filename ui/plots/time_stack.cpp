@@ -133,9 +133,8 @@ void TimeStack::nameTime() {
     const bool beside = head_ == PlotHead::margin;
     time_strip_->setInset(area.left() - time_strip_->rect().left(), TimePanel::room(head_).right(),
                           beside ? 0 : tick_label_room);
-    time_strip_->setEntries(
-        {StripEntry{timeAxisName(frames_.back()->timeTicks()), false, false, {}, Qt::SolidLine}},
-        beside ? Qt::AlignRight : Qt::AlignHCenter);
+    time_strip_->setEntries({StripEntry{timeAxisName(frames_.back()->timeTicks())}},
+                            beside ? Qt::AlignRight : Qt::AlignHCenter);
 }
 
 TimeOverlay::TimeOverlay(const TimeStack& stack, const TimeGestures& gestures)

@@ -32,9 +32,7 @@ constexpr double quarter = 90;
 constexpr double axis_length = 0.92;
 
 RoundSeries rim() {
-    RoundSeries circle;
-    circle.ink = Ink::muted;
-    circle.width = 1;
+    RoundSeries circle{.ink = Ink::muted, .width = 1};
     for (int angle = 0; angle <= 360; angle += 3) {
         circle.x.push_back(angle);
         circle.y.push_back(1);
@@ -43,10 +41,7 @@ RoundSeries rim() {
 }
 
 RoundSeries electrodes(const QString& name, Ink ink, double first) {
-    RoundSeries points;
-    points.name = name;
-    points.ink = ink;
-    points.points = true;
+    RoundSeries points{.name = name, .ink = ink, .points = true};
     const double nearest = std::fmod(std::fmod(first, quarter) + quarter, quarter);
     for (int k = 0; k < 4; ++k) {
         points.x.push_back(nearest + k * quarter);
@@ -57,9 +52,7 @@ RoundSeries electrodes(const QString& name, Ink ink, double first) {
 
 // Four spokes, as wide as plus and minus one standard deviation.
 RoundSeries axes(const QString& name, Ink ink, const Estimate& angle) {
-    RoundSeries spokes;
-    spokes.name = name;
-    spokes.ink = ink;
+    RoundSeries spokes{.name = name, .ink = ink};
     constexpr double widest = 40;
     const double width = std::min(angle.uncertainty() / degree, widest);
     const double first = std::fmod(angle.value / degree + 4 * quarter, quarter);
@@ -80,9 +73,7 @@ RoundSeries axes(const QString& name, Ink ink, const Estimate& angle) {
 
 // The deflected rim of a wave, out of scale.
 RoundSeries wave(const QString& name, int style, double two_theta_A) {
-    RoundSeries curve;
-    curve.name = name;
-    curve.color = curveStyle(style).color;
+    RoundSeries curve{.name = name, .color = curveStyle(style).color};
     for (int angle = 0; angle <= 360; angle += 2) {
         curve.x.push_back(angle);
         curve.y.push_back(0.72 + 0.16 * std::cos(2 * angle * degree - two_theta_A));

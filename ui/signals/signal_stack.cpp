@@ -468,7 +468,7 @@ void SignalStack::showLegend() {
     const Theme& theme = content_.theme;
     std::vector<StripEntry> entries;
     const auto add = [&](const QString& text, const QColor& color) {
-        entries.push_back({text, true, true, color, Qt::SolidLine});
+        entries.push_back({text, true, true, color});
     };
     const bool fitted = content_.analysis != nullptr;
     add(QStringLiteral("C"), theme.signalC);
