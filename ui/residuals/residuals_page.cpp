@@ -251,7 +251,8 @@ void ResidualsPage::showFound() {
     if (any) {
         showNumbers();
     }
-    showPlots();
+    histogram_->setContent(histogramPlot(residuals(), emptyText()));
+    correlation_->setContent(correlationPlot(residuals(), emptyText()));
     chooseLine(chosen_);
     emit figuresChanged();
 }
@@ -276,13 +277,6 @@ void ResidualsPage::showNumbers() {
 
 QString ResidualsPage::emptyText() const {
     return found_ ? tr("The range is too short for this plot.") : QString();
-}
-
-void ResidualsPage::showPlots() {
-    const Residuals* found = residuals();
-    const QString empty = emptyText();
-    histogram_->setContent(histogramPlot(found, empty));
-    correlation_->setContent(correlationPlot(found, empty));
 }
 
 void ResidualsPage::chooseLine(std::optional<std::size_t> line) {

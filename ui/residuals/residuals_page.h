@@ -65,7 +65,6 @@ private:
     QString emptyText() const;
     void showFound();
     void showNumbers();
-    void showPlots();
     void chooseLine(std::optional<std::size_t> line);
     void showLine();
     void putFilter();

@@ -350,7 +350,7 @@ private slots:
             const rlimit now{static_cast<rlim_t>(whole * k / sizes), before.rlim_max};
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &now), 0);
             const Status plots = writeDrawing(plotsFigure(twoRuns()).draw, {{800, 600}}, path);
-            const Status figure = drawnFigure(twoColumns(), path);
+            const Status figure = drawnFigure(articleFigure(twoColumns()), path);
             QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
             const QByteArray about = QByteArray::number(qulonglong(now.rlim_cur));
             QVERIFY2(!plots && plots.error().code == ErrorCode::output_failed, about);
