@@ -161,6 +161,7 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
     }
     const Theme theme = makeTheme(dark);
     app.setPalette(theme.palette);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::ApplicationPaletteChange);
     return theme;
 }
 

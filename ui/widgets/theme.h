@@ -54,8 +54,8 @@ bool isDark(const QPalette& palette);
 // The theme that goes with a palette.
 Theme themeOf(const QPalette& palette);
 
-// Fusion style and the palette of the mode; `system` uses the palette of the desktop. Returns the
-// theme for views. Call it again on QEvent::ThemeChange to follow the desktop.
+// Fusion style and the palette of the mode, which all widgets have on return; `system` uses the
+// palette of the desktop. Call it again on QEvent::ThemeChange to follow the desktop.
 Theme applyTheme(QApplication& app, ThemeMode mode);
 
 // The index-th style: colours change fastest, then shades. -1 is the last colour, -2 the one before
