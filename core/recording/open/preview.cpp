@@ -70,12 +70,13 @@ Status read_rows(const TextTable& table, RecordingPreview& preview) {
             preview.time_s.push_back(rows.time() * table.format.time_unit_s);
             // Equal times are possible if their digits are coarser than the step.
             if (preview.time_s.size() > 1 && preview.time_s.back() < before) {
-                return fault_error(file, lines + rows.lines(),
-                                   time_fault(rows.time(), before / table.format.time_unit_s));
+                return fault_error(
+                    file, lines,
+                    time_fault(rows.lines(), rows.time(), before / table.format.time_unit_s));
             }
         }
         if (rows.fault()) {
-            return fault_error(file, lines + rows.lines(), *rows.fault());
+            return fault_error(file, lines, *rows.fault());
         }
         lines += rows.lines();
     }

@@ -248,11 +248,12 @@ TextRows::TextRows(const TextFormat& format, const TextColumns& columns, const T
              !(format.decimal_comma && format.delimiter == ',')),
       at_(block.begin) {}
 
-TextFault time_fault(double time, double before) {
-    return {ErrorCode::text_time_backwards, {exact_arg(time), exact_arg(before)}};
+TextFault time_fault(std::int64_t line, double time, double before) {
+    return {ErrorCode::text_time_backwards, line, {exact_arg(time), exact_arg(before)}};
 }
 
-Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault) {
+Error fault_error(const FileBytes& file, std::int64_t lines_above, const TextFault& fault) {
+    const std::int64_t line = lines_above + fault.line;
     if (fault.code == ErrorCode::format_limit) {
         return line_too_long(file, "text", line);
     }
@@ -364,7 +365,7 @@ const char* TextRows::plain_number(const char* at, const char* end, int column) 
 // Any other line: true where it is a row, too. `ended`: it has a line end.
 bool TextRows::any_row(std::string_view line, bool ended) {
     if (line.size() > longest_line) {
-        fault_ = TextFault{ErrorCode::format_limit};
+        fault_ = TextFault{ErrorCode::format_limit, lines_};
         return false;
     }
     // A row of delimiters alone is a missing sample only where no time is missing as well, also
@@ -448,10 +449,11 @@ bool TextRows::fail(int column) {
     }
     if (column == 0 && !field(0).empty() &&
         std::ranges::find(format_.above, field(0)) != format_.above.end()) {
-        fault_ = TextFault{ErrorCode::text_segments};
+        fault_ = TextFault{ErrorCode::text_segments, lines_};
         return false;
     }
-    fault_ = {ErrorCode::text_not_a_number, {count_arg(column + 1), short_quote(field(column))}};
+    fault_ = TextFault{
+        ErrorCode::text_not_a_number, lines_, {count_arg(column + 1), short_quote(field(column))}};
     return false;
 }
 

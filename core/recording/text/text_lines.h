@@ -93,14 +93,15 @@ struct TextColumns {
 // begins as one above the table does; format_limit where it is too long.
 struct TextFault {
     ErrorCode code{};
+    std::int64_t line = 0;           // from 1, counted from the start of the block
     std::vector<MessageArg> args{};  // behind the number of the line
 };
 
 // The fault of a time that follows one that is not before it, both in the column's unit.
-TextFault time_fault(double time, double before);
+TextFault time_fault(std::int64_t line, double time, double before);
 
-// The error of a fault that stands in this line of the file, from 1.
-Error fault_error(const FileBytes& file, std::int64_t line, const TextFault& fault);
+// The error of a fault that has so many lines of the file above its block.
+Error fault_error(const FileBytes& file, std::int64_t lines_above, const TextFault& fault);
 
 // What is done with the samples of a row. To check is faster: whatever is a number has the value 0.
 enum class SampleUse { read, check };

@@ -59,45 +59,84 @@ private:
     double half_digit_ = half_digit_of(0);
 };
 
-// What is found in one block; rows and lines are counted from its start.
-struct BlockScan {
-    Status read;
+// What is found in rows that follow each other, of one block or of several; rows and lines are
+// counted from the first.
+struct RowScan {
+    UniformTimeDetector times;
+    Status read{};
     std::int64_t rows = 0;
     std::int64_t lines = 0;
-    LeftOut left_out;
-    std::optional<TextFault> fault;     // in the last line
-    double first_time = 0;              // in the column's unit
-    double last_time = 0;               // that did not lie below the one before
-    std::int64_t first_line = 0;        // of the first row
-    std::optional<TextFault> repeated;  // the time of the row before again, for the first time
-    std::int64_t repeated_line = 0;     // of it
-    FinestDigits digits;
-    UniformTimeDetector times{0};
+    LeftOut left_out{};
+    std::optional<TextFault> fault{};  // behind the last row
+    double first_time = 0;             // in the column's unit
+    double last_time = 0;              // that did not lie below the one before
+    std::int64_t first_line = 0;       // of the first time; 0: there is none
+    // The first time that is the one before again: times may be written more coarsely than they
+    // step; of those that are even otherwise it is no error.
+    std::optional<TextFault> repeated{};
+    FinestDigits digits{};
+
+    // Takes on the time of a row; false where it lies below the one before.
+    bool add_time(const TextRows& row, double unit_s) {
+        compare(row.lines(), row.time());
+        if (fault) {
+            return false;
+        }
+        if (rows == 0) {
+            first_time = row.time();
+            first_line = row.lines();
+        }
+        last_time = row.time();
+        digits.add(row.time_digits(), row.time());
+        times.add(row.time() * unit_s);
+        return true;
+    }
+
+    void append(const RowScan& next) {
+        const auto moved = [this](std::optional<TextFault> found) {
+            if (found) {
+                found->line += lines;
+            }
+            return found;
+        };
+        if (next.first_line > 0) {
+            compare(lines + next.first_line, next.first_time);
+            first_time = first_line > 0 ? first_time : next.first_time;
+            first_line = first_line > 0 ? first_line : lines + next.first_line;
+            last_time = next.last_time;
+        }
+        fault = fault ? fault : moved(next.fault);
+        repeated = repeated ? repeated : moved(next.repeated);
+        digits.add(next.digits);
+        times.append(next.times);
+        const LeftOut& out = next.left_out;
+        if (out.rows_with_missing > 0 && left_out.rows_with_missing == 0) {
+            left_out.first_missing_row = rows + out.first_missing_row;
+        }
+        left_out.missing_samples += out.missing_samples;
+        for (std::size_t i = 0; i < out.over_range.size(); ++i) {
+            left_out.over_range[i] += out.over_range[i];
+        }
+        left_out.rows_with_missing += out.rows_with_missing;
+        left_out.lines_ignored += out.lines_ignored;
+        left_out.ends_within_row = left_out.ends_within_row || out.ends_within_row;
+        rows += next.rows;
+        lines += next.lines;
+    }
+
+private:
+    void compare(std::int64_t line, double time) {
+        if (rows > 0 && time < last_time) {
+            fault = time_fault(line, time, last_time);
+        } else if (rows > 0 && time == last_time && !repeated) {
+            repeated = time_fault(line, time, last_time);
+        }
+    }
 };
 
-// Takes on the time of a row; false where it lies below the one before.
-bool take_time(const TextTable& table, const TextRows& row, BlockScan& found) {
-    if (found.rows > 0 && row.time() < found.last_time) {
-        found.fault = time_fault(row.time(), found.last_time);
-        return false;
-    }
-    if (found.rows == 0) {
-        found.first_time = row.time();
-        found.first_line = row.lines();
-    } else if (row.time() == found.last_time && !found.repeated) {
-        found.repeated = time_fault(row.time(), found.last_time);
-        found.repeated_line = row.lines();
-    }
-    found.last_time = row.time();
-    found.digits.add(row.time_digits(), row.time());
-    found.times.add(row.time() * table.format.time_unit_s);
-    return true;
-}
-
 // `empty`: the times to begin with.
-BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, std::int64_t index) {
-    BlockScan found;
-    found.times = empty;
+RowScan scan_block(const TextTable& table, const UniformTimeDetector& empty, std::int64_t index) {
+    RowScan found{empty};
     TextBlock block;
     found.read = table.blocks.read(index, block);
     if (!found.read) {
@@ -106,7 +145,8 @@ BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, s
     const bool two = table.columns.d != table.columns.c;
     LeftOut& out = found.left_out;
     TextRows rows(table.format, table.columns, block, SampleUse::check);
-    while (rows.next() && (table.columns.time < 0 || take_time(table, rows, found))) {
+    while (rows.next() &&
+           (table.columns.time < 0 || found.add_time(rows, table.format.time_unit_s))) {
         const int missing = (std::isnan(rows.c()) ? 1 : 0) + (two && std::isnan(rows.d()) ? 1 : 0);
         if (missing > 0) {
             out.over_range[0] += rows.c_over_range() ? 1 : 0;
@@ -124,90 +164,6 @@ BlockScan scan_block(const TextTable& table, const UniformTimeDetector& empty, s
     out.ends_within_row = rows.ends_within_row();
     return found;
 }
-
-// Puts the findings of the blocks together, in their order.
-class ScanSum {
-public:
-    ScanSum(const TextTable& table, const UniformTimeDetector& empty)
-        : table_(table), times_(empty) {}
-
-    Status take(const BlockScan& block) {
-        if (!block.read) {
-            return block.read;
-        }
-        const bool timed = table_.columns.time >= 0 && block.rows > 0;
-        const auto error = [&](std::int64_t in_block, const TextFault& fault) {
-            return fault_error(table_.blocks.file(),
-                               table_.format.lines_to_skip + lines_ + in_block, fault);
-        };
-        if (timed && scan_.rows() > 0 && block.first_time <= last_time_) {
-            const Error repeated =
-                error(block.first_line, time_fault(block.first_time, last_time_));
-            if (block.first_time < last_time_) {
-                return repeated;
-            }
-            repeated_ = repeated_.value_or(repeated);
-        }
-        if (block.repeated && !repeated_) {
-            repeated_ = error(block.repeated_line, *block.repeated);
-        }
-        if (block.fault) {
-            return error(block.lines, *block.fault);
-        }
-        add(block.left_out);
-        lines_ += block.lines;
-        if (timed) {
-            scan_.first_time = scan_.rows() == 0 ? block.first_time : scan_.first_time;
-            last_time_ = block.last_time;
-            digits_.add(block.digits);
-            times_.append(block.times);
-        }
-        scan_.first_rows.push_back(scan_.rows() + block.rows);
-        return {};
-    }
-
-    Result<TextScan> finish() {
-        if (table_.columns.time >= 0 && scan_.rows() > 0) {
-            scan_.resolution = digits_.of_singles(table_.format.time_unit_s);
-            // Of rounded floats, no line passes all texts of more digits than a float has.
-            constexpr int digits_beyond_a_float = 9;
-            const TimeResolution plain = digits_.resolution(table_.format.time_unit_s);
-            if (plain.significant_digits >= digits_beyond_a_float) {
-                scan_.even = times_.judge(plain);
-            }
-            scan_.even = scan_.even ? scan_.even : times_.judge(scan_.resolution);
-        }
-        if (repeated_ && !scan_.even && !table_.may_repeat) {
-            return *repeated_;
-        }
-        return std::move(scan_);
-    }
-
-private:
-    void add(const LeftOut& next) {
-        LeftOut& all = scan_.left_out;
-        if (next.rows_with_missing > 0 && all.rows_with_missing == 0) {
-            all.first_missing_row = scan_.rows() + next.first_missing_row;
-        }
-        all.missing_samples += next.missing_samples;
-        for (std::size_t i = 0; i < all.over_range.size(); ++i) {
-            all.over_range[i] += next.over_range[i];
-        }
-        all.rows_with_missing += next.rows_with_missing;
-        all.lines_ignored += next.lines_ignored;
-        all.ends_within_row = all.ends_within_row || next.ends_within_row;
-    }
-
-    const TextTable& table_;
-    TextScan scan_;
-    std::int64_t lines_ = 0;  // of the blocks so far
-    double last_time_ = 0;
-    // The first time that is the one before again: times may be written more coarsely than they
-    // step; of those that are even otherwise it is no error.
-    std::optional<Error> repeated_;
-    FinestDigits digits_;
-    UniformTimeDetector times_;
-};
 
 // A line to which no time has been added: with about the step and resolution of the first block
 // that has them, a step of 0 where none does.
@@ -323,11 +279,16 @@ private:
 
 Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
     const auto empty = TRY(empty_line(table));
-    ScanSum sum(table, empty);
-    std::vector<BlockScan> blocks;
+    const auto error = [&table](const TextFault& fault) {
+        return fault_error(table.blocks.file(), table.format.lines_to_skip, fault);
+    };
+    TextScan scan;
+    RowScan all{empty};
+    std::vector<RowScan> blocks;
     const std::int64_t count = table.blocks.count();
     for (std::int64_t first = 0; first < count; first += blocks_at_once) {
-        blocks.resize(static_cast<std::size_t>(std::min(blocks_at_once, count - first)));
+        const std::int64_t end = std::min(first + blocks_at_once, count);
+        blocks.assign(static_cast<std::size_t>(end - first), RowScan{empty});
         tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
             if (!job.cancelled()) {
                 blocks[i] = scan_block(table, empty, first + static_cast<std::int64_t>(i));
@@ -335,12 +296,32 @@ Result<TextScan> scan_text(const TextTable& table, const JobControl& job) {
         });
         TRY(job.go_on());
         for (std::size_t i = 0; i < blocks.size(); ++i) {
-            TRY(sum.take(blocks[i]));
+            TRY(blocks[i].read);
+            all.append(blocks[i]);
+            if (all.fault) {
+                return error(*all.fault);
+            }
+            scan.first_rows.push_back(all.rows);
             const auto done = static_cast<double>(first) + static_cast<double>(i + 1);
             job.report(done / static_cast<double>(count));
         }
     }
-    return sum.finish();
+    scan.left_out = all.left_out;
+    scan.first_time = all.first_time;
+    if (all.first_line > 0) {
+        scan.resolution = all.digits.of_singles(table.format.time_unit_s);
+        // Of rounded floats, no line passes all texts of more digits than a float has.
+        constexpr int digits_beyond_a_float = 9;
+        const TimeResolution plain = all.digits.resolution(table.format.time_unit_s);
+        if (plain.significant_digits >= digits_beyond_a_float) {
+            scan.even = all.times.judge(plain);
+        }
+        scan.even = scan.even ? scan.even : all.times.judge(scan.resolution);
+    }
+    if (all.repeated && !scan.even && !table.may_repeat) {
+        return error(*all.repeated);
+    }
+    return scan;
 }
 
 std::shared_ptr<const SampleSource> text_source(const TextTable& table, const TextScan& scan) {
