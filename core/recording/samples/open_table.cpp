@@ -9,13 +9,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace vybeg {
 namespace {
 
 using Row = SettingRow<OpenOptions>;
+using TextRow = SettingRow<TextChoice>;
+using RawRow = SettingRow<RawLayout>;
 
 const Bounds rate_bounds{1e-6, 1e12};
 constexpr int most_raw_channels = 4096;
@@ -26,25 +30,90 @@ const Bounds skip_bounds{0, 1e15};  // exact as a double
 const Bounds skip_lines_bounds{0, most_skipped_lines};
 const Bounds any_number{};
 
-// Row of an option whose reader gets the option's name, dashes included.
-template <class Read, class Text>
-Row row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
-    Row made{name, placeholder, help};
-    made.read = [option = made.option(), read](const std::string& from, OpenOptions& options) {
-        return Status(read(option, from, options));
+// Row of a field. `read` gets the option's name, dashes included, and its text; the text of a value
+// that is not there is empty.
+template <class S, class Field, class Read, class Text>
+SettingRow<S> field_row(SettingRow<S> row, Field S::*field, Read read, Text text) {
+    row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
+        const auto value = TRY(read(option, from));
+        settings.*field = value;
+        return {};
     };
-    made.text = text;
+    row.text = [=](const S& settings) -> std::string {
+        if constexpr (requires { (settings.*field).has_value(); }) {
+            return settings.*field ? text(*(settings.*field)) : "";
+        } else {
+            return text(settings.*field);
+        }
+    };
+    return row;
+}
+
+// The row of a field of `part`, which it makes where it is not there. `refusal`: why the options
+// have no such part; null: they may have one.
+template <class Part, class Refusal>
+Row part_row(SettingRow<Part> row, std::optional<Part> OpenOptions::*part, Refusal refusal) {
+    Row made{row.name, row.placeholder, row.help};
+    made.read = [=](const std::string& from, OpenOptions& options) -> Status {
+        if (const char* const reason = refusal(options)) {
+            return refused_value(row.option(), from, reason);
+        }
+        Part changed = (options.*part).value_or(Part{});
+        TRY(row.read(from, changed));
+        options.*part = changed;
+        return {};
+    };
+    made.text = [=](const OpenOptions& options) {
+        return options.*part ? row.text(*(options.*part)) : std::string();
+    };
     return made;
 }
 
-// What puts the value that `read` makes of a text into a field.
-template <class Field, class Owner, class Read>
-auto into(Field Owner::*field, Read read) {
-    return [=](const std::string& option, const std::string& text, Owner& owner) -> Status {
-        const auto value = TRY(read(option, text));
-        owner.*field = value;
-        return {};
+Row of_text(TextRow row) {
+    return part_row(std::move(row), &OpenOptions::text, [](const OpenOptions& options) {
+        return options.raw ? "it is for text, and --raw reads no text" : nullptr;
+    });
+}
+
+// Of a whole number of the raw layout, from `least` on.
+template <class Number>
+Row of_raw(RawRow row, Number RawLayout::*field, Number least, const char* allowed) {
+    const auto read = [=](const std::string& option, const std::string& text) -> Result<Number> {
+        const auto number = TRY(read_whole(option, text));
+        if (number < least || !std::in_range<Number>(number)) {
+            return refused_value(option, text, allowed);
+        }
+        return static_cast<Number>(number);
     };
+    return part_row(
+        field_row(std::move(row), field, read, integer_text), &OpenOptions::raw,
+        [](const OpenOptions& options) { return options.raw ? nullptr : "it needs --raw"; });
+}
+
+// Names between commas.
+template <class Allowed>
+Row names_row(Row row, std::vector<std::string> OpenOptions::*field, Allowed are_allowed,
+              const char* allowed) {
+    using Names = std::vector<std::string>;
+    return field_row(
+        std::move(row), field,
+        [=](const std::string& option, const std::string& text) -> Result<Names> {
+            const auto parts = parts_between(text, ',');
+            Names names(parts.begin(), parts.end());
+            if (!are_allowed(names)) {
+                return refused_value(option, text, allowed);
+            }
+            return names;
+        },
+        [](const Names& names) { return joined(names, ","); });
+}
+
+// Row of an option whose text is the value.
+Row plain_row(Row row, std::string OpenOptions::*field) {
+    return field_row(
+        std::move(row), field,
+        [](const std::string& /*option*/, const std::string& text) { return Result(text); },
+        std::identity());
 }
 
 Row bounded(Row row, const Bounds& bounds) {
@@ -62,38 +131,35 @@ bool is_channel(double number) {
     return number >= 1 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
 }
 
-Status read_channels(const std::string& option, const std::string& text, OpenOptions& options) {
-    const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
-    const auto pair = TRY(read_numbers(option, text, 2, allowed));
-    if (!is_channel(pair[0]) || !is_channel(pair[1])) {
-        return refused_value(option, text, allowed);
-    }
-    options.channel_c = static_cast<int>(pair[0]);
-    options.channel_d = static_cast<int>(pair[1]);
-    return {};
+Row channels_row(Row row) {
+    row.read = [option = row.option()](const std::string& text, OpenOptions& options) -> Status {
+        const std::string allowed = "it must be two channel numbers from 1, as in 1,2";
+        const auto pair = TRY(read_numbers(option, text, 2, allowed));
+        if (!is_channel(pair[0]) || !is_channel(pair[1])) {
+            return refused_value(option, text, allowed);
+        }
+        options.channel_c = static_cast<int>(pair[0]);
+        options.channel_d = static_cast<int>(pair[1]);
+        return {};
+    };
+    row.text = [](const OpenOptions& options) {
+        return joined(
+            {static_cast<double>(options.channel_c), static_cast<double>(options.channel_d)});
+    };
+    return row;
 }
 
-std::string channels_text(const OpenOptions& options) {
-    return joined({static_cast<double>(options.channel_c), static_cast<double>(options.channel_d)});
-}
-
-// Names between commas.
-template <class Allowed>
-Row names_row(const char* name, const char* placeholder, const char* help,
-              std::vector<std::string> OpenOptions::*field, Allowed are_allowed,
-              const char* allowed) {
-    return row(name, placeholder, help,
-               into(field,
-                    [=](const std::string& option,
-                        const std::string& text) -> Result<std::vector<std::string>> {
-                        const auto parts = parts_between(text, ',');
-                        std::vector<std::string> names(parts.begin(), parts.end());
-                        if (!are_allowed(names)) {
-                            return refused_value(option, text, allowed);
-                        }
-                        return names;
-                    }),
-               [=](const OpenOptions& options) { return joined(options.*field, ","); });
+Row scale_row(Row row) {
+    row = field_row(
+        std::move(row), &OpenOptions::scale,
+        [](const std::string& option, const std::string& text) {
+            return read_number(option, text);
+        },
+        round_trip_text);
+    row.text = [text = row.text](const OpenOptions& options) {
+        return options.raw || options.scale != 1 ? text(options) : "";
+    };
+    return row;
 }
 
 // Only the middle one of three may be empty.
@@ -105,7 +171,7 @@ bool are_files(const std::vector<std::string>& names) {
     return std::ranges::find(names, "") == names.end();
 }
 
-Status read_raw(const std::string& option, const std::string& text, OpenOptions& options) {
+Result<RawLayout> read_raw(const std::string& option, const std::string& text) {
     RawLayout layout;
     std::string type = text;
     if (const std::size_t colon = text.find(':'); colon != std::string::npos) {
@@ -118,94 +184,22 @@ Status read_raw(const std::string& option, const std::string& text, OpenOptions&
         return refused_value(option, text, "it is i16, i32, f32 or f64, with :be for big-endian");
     }
     layout.type = static_cast<RawType>(found - raw_type_names.begin());
-    options.raw = layout;
-    return {};
+    return layout;
 }
 
-std::string raw_text(const OpenOptions& options) {
-    return !options.raw
-               ? ""
-               : std::string(raw_type_names.at(static_cast<std::size_t>(options.raw->type))) +
-                     (options.raw->big_endian ? ":be" : "");
-}
-
-// Row of a whole number of the raw layout, from `least` on.
-template <class Number>
-Row raw_row(const char* name, const char* placeholder, const char* help, Number RawLayout::*field,
-            Number least, const char* allowed) {
-    return row(
-        name, placeholder, help,
-        [=](const std::string& option, const std::string& text, OpenOptions& options) -> Status {
-            if (!options.raw) {
-                return refused_value(option, text, "it needs --raw");
-            }
-            const auto number = TRY(read_whole(option, text));
-            if (number < least || !std::in_range<Number>(number)) {
-                return refused_value(option, text, allowed);
-            }
-            *options.raw.*field = static_cast<Number>(number);
-            return {};
-        },
-        [=](const OpenOptions& options) {
-            return options.raw ? integer_text(*options.raw.*field) : std::string();
-        });
-}
-
-// Row of an option of text files. `text` returns an empty text where nothing is chosen.
-template <class Read, class Text>
-Row text_row(const char* name, const char* placeholder, const char* help, Read read, Text text) {
-    return row(
-        name, placeholder, help,
-        [read](const std::string& option, const std::string& from, OpenOptions& options) -> Status {
-            if (options.raw) {
-                return refused_value(option, from, "it is for text, and --raw reads no text");
-            }
-            TextChoice choice = options.text.value_or(TextChoice{});
-            TRY(read(option, from, choice));
-            options.text = choice;
-            return {};
-        },
-        [text](const OpenOptions& options) {
-            return options.text ? std::string(text(*options.text)) : std::string();
-        });
+std::string raw_text(const RawLayout& layout) {
+    return std::string(raw_type_names.at(static_cast<std::size_t>(layout.type))) +
+           (layout.big_endian ? ":be" : "");
 }
 
 constexpr const char* allowed_time_columns = "it is the number of a column, from 1, or none";
 
 Result<int> read_time_column(const std::string& option, const std::string& text) {
-    const auto column = TRY(text == "none" ? std::int64_t{0} : read_whole(option, text));
-    if (text != "none" && (column < 1 || !std::in_range<int>(column))) {
+    const auto column = TRY(text == not_set ? std::int64_t{0} : read_whole(option, text));
+    if (text != not_set && (column < 1 || !std::in_range<int>(column))) {
         return refused_value(option, text, allowed_time_columns);
     }
     return static_cast<int>(column);
-}
-
-template <class Words, class Value>
-std::string word_of(const Words& words, const Value& value) {
-    const auto* const found =
-        std::ranges::find(words, value, [](const auto& each) { return each.second; });
-    return found == words.end() ? "" : found->first;
-}
-
-// Row of a choice between words of text files.
-template <class Value, std::size_t count>
-Row word_row(const char* name, const char* placeholder, const char* help,
-             std::optional<Value> TextChoice::*field,
-             const std::array<std::pair<const char*, Value>, count>& words, const char* allowed) {
-    return text_row(
-        name, placeholder, help,
-        [=](const std::string& option, const std::string& from, TextChoice& choice) -> Status {
-            const auto* const found =
-                std::ranges::find_if(words, [&](const auto& each) { return from == each.first; });
-            if (found == words.end()) {
-                return refused_value(option, from, allowed);
-            }
-            choice.*field = found->second;
-            return {};
-        },
-        [=](const TextChoice& choice) {
-            return choice.*field ? word_of(words, *(choice.*field)) : std::string();
-        });
 }
 
 constexpr std::array delimiters{std::pair{"comma", ','}, std::pair{"semicolon", ';'},
@@ -217,8 +211,15 @@ constexpr std::array time_units{std::pair{"s", 1.0}, std::pair{"ms", 1e-3}, std:
 constexpr const char* allowed_time_units = "it is s, ms, us or ns";
 constexpr std::array decimal_signs{std::pair{"point", false}, std::pair{"comma", true}};
 
+// Whether one of the words stands for the value; a value that is not there needs none.
+template <class Words, class Value>
+bool has_word(const Words& words, const std::optional<Value>& value) {
+    return !value ||
+           std::ranges::any_of(words, [&](const auto& each) { return each.second == *value; });
+}
+
 Status check_choice(const TextChoice& choice) {
-    if (choice.delimiter && word_of(delimiters, *choice.delimiter).empty()) {
+    if (!has_word(delimiters, choice.delimiter)) {
         return refused_value("--delimiter", std::string(1, *choice.delimiter), allowed_delimiters);
     }
     if (choice.lines_to_skip &&
@@ -230,96 +231,76 @@ Status check_choice(const TextChoice& choice) {
         return refused_value("--time-column", std::to_string(*choice.time_column),
                              allowed_time_columns);
     }
-    if (choice.time_unit_s && word_of(time_units, *choice.time_unit_s).empty()) {
+    if (!has_word(time_units, choice.time_unit_s)) {
         return refused_value("--time-unit", short_text(*choice.time_unit_s), allowed_time_units);
     }
     return {};
-}
-
-// Row of an option whose text is the value.
-Row plain_row(const char* name, const char* placeholder, const char* help,
-              std::string OpenOptions::*field) {
-    return row(name, placeholder, help,
-               into(field, [](const std::string& /*option*/,
-                              const std::string& text) { return Result(text); }),
-               [field](const OpenOptions& options) { return options.*field; });
 }
 
 }  // namespace
 
 const std::vector<SettingRow<OpenOptions>>& open_settings() {
     static const std::vector<Row> rows{
-        without_part(bounded(row("rate", "HZ", "Sample rate where the file has none, Hz",
-                                 into(&OpenOptions::rate_hz,
-                                      [](const std::string& option, const std::string& text) {
-                                          return read_number(option, text, "Hz");
-                                      }),
-                                 [](const OpenOptions& options) {
-                                     return options.rate_hz ? round_trip_text(*options.rate_hz)
-                                                            : "";
-                                 }),
-                             rate_bounds)),
-        without_part(
-            row("channels", "I,J",
-                "Which two channels or columns are C and D, from 1; a time column does not count "
-                "(default 1,2)",
-                read_channels, channels_text)),
-        names_row("variables", "C,D[,RATE]",
-                  "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the "
-                  "rate; D is left out where one holds both: XY or XY,,RATE",
+        without_part(bounded(
+            field_row(
+                Row{"rate", "HZ", "Sample rate where the file has none, Hz"}, &OpenOptions::rate_hz,
+                [](const std::string& option, const std::string& text) {
+                    return read_number(option, text, "Hz");
+                },
+                round_trip_text),
+            rate_bounds)),
+        without_part(channels_row(
+            {"channels", "I,J",
+             "Which two channels or columns are C and D, from 1; a time column does not count "
+             "(default 1,2)"})),
+        names_row({"variables", "C,D[,RATE]",
+                   "Names of the variables of a MAT, HDF5 or NPZ file that hold C and D, and the "
+                   "rate; D is left out where one holds both: XY or XY,,RATE"},
                   &OpenOptions::variables, are_variables,
                   "it is one to three names with commas, as in C,D,fs or XY,,fs"),
-        row("raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]", read_raw,
-            raw_text),
-        bounded(raw_row("raw-channels", "N", "Channels of --raw (default 2)", &RawLayout::channels,
-                        1, "it must be at least 1"),
+        field_row(Row{"raw", "TYPE", "Headerless interleaved samples: i16, i32, f32, f64 [:be]"},
+                  &OpenOptions::raw, read_raw, raw_text),
+        bounded(of_raw({"raw-channels", "N", "Channels of --raw (default 2)"}, &RawLayout::channels,
+                       1, "it must be at least 1"),
                 raw_channels_bounds),
-        bounded(raw_row("skip", "BYTES", "Bytes before the first sample of --raw (default 0)",
-                        &RawLayout::skip_bytes, std::int64_t{0}, "it cannot be negative"),
+        bounded(of_raw({"skip", "BYTES", "Bytes before the first sample of --raw (default 0)"},
+                       &RawLayout::skip_bytes, std::int64_t{0}, "it cannot be negative"),
                 skip_bounds),
-        word_row("delimiter", "NAME",
-                 "Between the columns of a text file: comma, semicolon, tab, space or bar "
-                 "(default: guessed, as is all that follows)",
-                 &TextChoice::delimiter, delimiters, allowed_delimiters),
-        word_row("decimal", "SIGN", "Decimal sign of a text file: point or comma",
-                 &TextChoice::decimal_comma, decimal_signs, "it is point or comma"),
-        bounded(text_row("skip-lines", "N", "Lines of a text file above its first row of numbers",
-                         into(&TextChoice::lines_to_skip, read_whole),
-                         [](const TextChoice& choice) {
-                             return choice.lines_to_skip ? integer_text(*choice.lines_to_skip) : "";
-                         }),
+        of_text(choice_row(
+            TextRow{"delimiter", "NAME",
+                    "Between the columns of a text file: comma, semicolon, tab, space or bar "
+                    "(default: guessed, as is all that follows)"},
+            [](auto& text) -> auto& { return text.delimiter; }, delimiters, allowed_delimiters)),
+        of_text(choice_row(
+            TextRow{"decimal", "SIGN", "Decimal sign of a text file: point or comma"},
+            [](auto& text) -> auto& { return text.decimal_comma; }, decimal_signs,
+            "it is point or comma")),
+        bounded(of_text(field_row(TextRow{"skip-lines", "N",
+                                          "Lines of a text file above its first row of numbers"},
+                                  &TextChoice::lines_to_skip, read_whole, integer_text)),
                 skip_lines_bounds),
-        text_row("time-column", "N|none",
-                 "Column of a text file that is the time, from 1; none: every column is a channel",
-                 into(&TextChoice::time_column, read_time_column),
-                 [](const TextChoice& choice) {
-                     return !choice.time_column        ? ""
-                            : *choice.time_column == 0 ? not_set
-                                                       : integer_text(*choice.time_column);
-                 }),
-        word_row("time-unit", "UNIT", "Unit of the time column: s, ms, us or ns",
-                 &TextChoice::time_unit_s, time_units, allowed_time_units),
-        bounded(row("scale", "X",
-                    "Recording units per count of --raw or unit of the file, e.g. volts at full "
-                    "scale of a WAV file (default 1)",
-                    into(&OpenOptions::scale,
-                         [](const std::string& option, const std::string& text) {
-                             return read_number(option, text);
-                         }),
-                    [](const OpenOptions& options) {
-                        return options.raw || options.scale != 1 ? round_trip_text(options.scale)
-                                                                 : "";
-                    }),
+        of_text(field_row(
+            TextRow{"time-column", "N|none",
+                    "Column of a text file that is the time, from 1; none: every column is a "
+                    "channel"},
+            &TextChoice::time_column, read_time_column,
+            [](int column) { return column == 0 ? not_set : integer_text(column); })),
+        of_text(choice_row(
+            TextRow{"time-unit", "UNIT", "Unit of the time column: s, ms, us or ns"},
+            [](auto& text) -> auto& { return text.time_unit_s; }, time_units, allowed_time_units)),
+        bounded(scale_row({"scale", "X",
+                           "Recording units per count of --raw or unit of the file, e.g. volts at "
+                           "full scale of a WAV file (default 1)"}),
                 any_number),
-        plain_row("unit", "NAME", "Unit of the samples, e.g. V (default: the file's)",
+        plain_row({"unit", "NAME", "Unit of the samples, e.g. V (default: the file's)"},
                   &OpenOptions::unit),
-        plain_row("channel-d", "FILE",
-                  "File of channel D, where each channel has a file of its own; --channels then "
-                  "counts in each",
+        plain_row({"channel-d", "FILE",
+                   "File of channel D, where each channel has a file of its own; --channels then "
+                   "counts in each"},
                   &OpenOptions::channel_d_file),
-        names_row("join", "FILE[,FILE]",
-                  "Files of the recording's further pieces, in their order; gaps between them are "
-                  "missing samples",
+        names_row({"join", "FILE[,FILE]",
+                   "Files of the recording's further pieces, in their order; gaps between them are "
+                   "missing samples"},
                   &OpenOptions::join, are_files,
                   "it is names of files with commas, as in 2.wav,3.wav"),
     };
