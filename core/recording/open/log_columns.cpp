@@ -23,7 +23,6 @@
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -92,32 +91,42 @@ void keep_rows(LogTable& table, Keep keep) {
     cut(table.time_s);
 }
 
-// Place of a column, from 0; -1: it is not there. `order`: that of a table without names.
-int place_of(const std::vector<Channel>& headings, const ColumnWish& wish, std::size_t order) {
-    if (const auto number = parse_number(wish.column);
+// The wave at zero of a clock that counts from an epoch is none: such times count from the first
+// row.
+void count_from_start(LogTable& table) {
+    constexpr double most = 10;  // lengths of the log before it
+    std::vector<double>& times = table.time_s;
+    const double first = times.empty() ? 0 : times.front();
+    if (!times.empty() && std::abs(first) > most * (times.back() - first)) {
+        table.begun_s += first;
+        std::ranges::for_each(times, [first](double& t) { t -= first; });
+    }
+}
+
+// Place of a wished column, from 0; -1: it is not there. A table without names has the told ones in
+// their order, a text all of them.
+int place_of(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
+             std::size_t wish, bool in_text) {
+    const std::string& column = wishes[wish].column;
+    if (const auto number = parse_number(column);
         number && *number >= 1 && *number <= static_cast<double>(headings.size())) {
         return static_cast<int>(*number) - 1;
     }
     for (std::size_t k = 0; k < headings.size(); ++k) {
-        if (is_called(headings[k].name, wish) ||
-            is_called(name_and_unit(headings[k].name).name, wish)) {
+        if (is_called(headings[k].name, wishes[wish]) ||
+            is_called(name_and_unit(headings[k].name).name, wishes[wish])) {
             return static_cast<int>(k);
         }
     }
     const bool nameless =
         std::ranges::all_of(headings, [](const Channel& each) { return each.name.empty(); });
-    return nameless && wish.column.empty() && order < headings.size() ? static_cast<int>(order)
-                                                                      : -1;
-}
-
-// Order of a wish among the columns of a table without names: of those that are named, or of all.
-std::size_t order_of(std::span<const ColumnWish> wishes, std::size_t wish,
-                     const std::vector<Channel>& headings) {
-    if (wishes.front().told && !wishes[wish].told) {
-        return std::numeric_limits<std::size_t>::max();
-    }
+    const bool ordered = wishes.front().told ? wishes[wish].told : in_text;
+    // Beside a column alone there is no time.
     const std::size_t before = headings.size() == 1 && is_time(wishes.front()) ? 1 : 0;
-    return wish - before;
+    const std::size_t order = wish - before;
+    return nameless && column.empty() && ordered && order < headings.size()
+               ? static_cast<int>(order)
+               : -1;
 }
 
 // The format of a text with the wished time column, which counts although it is one of two columns.
@@ -132,7 +141,7 @@ Result<TextFormat> format_with_time(const File& file, const OpenOptions& options
         return format;
     }
     const auto at = static_cast<std::size_t>(time - wishes.begin());
-    const int place = place_of(format.headings, *time, order_of(wishes, at, format.headings));
+    const int place = place_of(format.headings, wishes, at, true);
     if (place < 0) {
         return !time->told ? Result<TextFormat>(format)
                            : missing_column(*file, *time, format.headings);
@@ -151,13 +160,10 @@ std::optional<double> clockbase_beside(const std::filesystem::path& path) {
         return std::nullopt;
     }
     // A row of names over a row of values, or the value beside its name.
-    std::vector<std::vector<std::string>> lines;
-    std::istringstream in(*text);
-    for (std::string line; std::getline(in, line) && lines.size() < 1000;) {
-        lines.emplace_back();
-        std::istringstream fields(line);
-        for (std::string field; std::getline(fields, field, ';');) {
-            lines.back().emplace_back(trimmed(field));
+    std::vector<std::vector<std::string_view>> lines;
+    for (const std::string_view line : parts_between(*text, '\n')) {
+        if (lines.size() < 1000) {
+            split_fields(line, ';', lines.emplace_back());
         }
     }
     for (std::size_t row = 0; row < lines.size(); ++row) {
@@ -222,10 +228,10 @@ Result<LogTable> read_text(const File& file, const OpenOptions& options,
         if (is_time(wishes[k])) {
             continue;
         }
-        places[k] = place_of(format.headings, wishes[k], order_of(wishes, k, format.headings));
+        places[k] = place_of(format.headings, wishes, k, true);
         if (places[k] >= 0 && places[k] != format.time_column) {
             wanted.push_back(k);
-        } else if (wishes[k].role.needed || wishes[k].told) {
+        } else if (wishes[k].required()) {
             return missing_column(*file, wishes[k], format.headings);
         }
     }
@@ -296,19 +302,11 @@ Result<LogTable> read_variables(const std::filesystem::path& path, const OpenOpt
             beside = name;
             break;
         }
-        if (missing && (wishes[k].role.needed || wishes[k].told)) {
+        if (missing && (wishes[k].required())) {
             return *missing;
         }
     }
     return table;
-}
-
-// Place of a wished column; of a table without names only by its number or its order.
-int place_in(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
-             std::size_t wish) {
-    const std::size_t order = wishes.front().told ? order_of(wishes, wish, headings)
-                                                  : std::numeric_limits<std::size_t>::max();
-    return place_of(headings, wishes[wish], order);
 }
 
 // A table of numbers that is neither lines nor variables.
@@ -353,8 +351,8 @@ Result<LogTable> read_array(const FileBytes& file, const ArrayTable& array,
     const Channel* time = nullptr;
     std::size_t rows = std::numeric_limits<std::size_t>::max();
     for (std::size_t k = 0; k < wishes.size(); ++k) {
-        const int place = place_in(array.headings, wishes, k);
-        if (place < 0 && (wishes[k].role.needed || wishes[k].told)) {
+        const int place = place_of(array.headings, wishes, k, false);
+        if (place < 0 && (wishes[k].required())) {
             return missing_column(file, wishes[k], array.headings);
         }
         if (place < 0) {
@@ -456,22 +454,6 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
     return wishes;
 }
 
-namespace {
-
-// The wave at zero of a clock that counts from an epoch is none: such times count from the first
-// row.
-void count_from_start(LogTable& table) {
-    constexpr double most = 10;  // lengths of the log before it
-    std::vector<double>& times = table.time_s;
-    const double first = times.empty() ? 0 : times.front();
-    if (!times.empty() && std::abs(first) > most * (times.back() - first)) {
-        table.begun_s += first;
-        std::ranges::for_each(times, [first](double& t) { t -= first; });
-    }
-}
-
-}  // namespace
-
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job) {
     if (!options.join.empty()) {
@@ -486,16 +468,14 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
     const FileFormat* const format = find_format(head, *file);
     const auto array = TRY(options.text ? ArrayTable() : find_array(file, head, job));
     const bool is_array = !array.headings.empty();
-    if (!is_array && !options.text && format && format->has_variables) {
-        auto table = TRY(read_variables(path, options, wishes, job));
-        count_from_start(table);
-        return table;
-    }
-    if (!is_array && !options.text && (!format || !format->is_text())) {
+    const bool is_text = options.text || (format && format->is_text());
+    const bool is_variables = !is_array && !options.text && format && format->has_variables;
+    if (!is_array && !is_text && !is_variables) {
         return file->error(ErrorCode::no_log);
     }
-    auto table = TRY(is_array ? read_array(*file, array, options, wishes)
-                              : read_text(file, options, wishes, job));
+    auto table = TRY(is_variables ? read_variables(path, options, wishes, job)
+                     : is_array   ? read_array(*file, array, options, wishes)
+                                  : read_text(file, options, wishes, job));
     double last = -std::numeric_limits<double>::infinity();
     keep_rows(table, [&](std::size_t row) {
         const double before = std::exchange(last, table.time_s[row]);

@@ -29,6 +29,8 @@ struct ColumnWish {
     ColumnRole role;
     std::string column;  // its name or its number, from 1, in the file; empty: by its usual names
     bool told = false;   // named by the user: then it has to be there
+
+    bool required() const { return role.needed || told; }
 };
 
 // `text` names roles with commas between them, each with `=COLUMN` where the file calls it
