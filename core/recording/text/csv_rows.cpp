@@ -8,7 +8,6 @@
 #include "core/recording/text/text_lines.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -18,12 +17,12 @@ namespace {
 // Bytes of the longest row of several lines: a quote that never closes ends there.
 constexpr std::size_t longest_row = std::size_t{1} << 16;
 
-enum class Fault { none, quote_open, text_after_quote };
+// A quote that is open at the end of a line may close in the next one.
+constexpr char quote_open[] = VYBEG_MESSAGE("Words", "its quotation mark does not close");
 
-// The fields of a row. A quote that is open at the end of `text` may close in the next line.
 struct SplitRow {
     std::vector<std::string> fields;
-    Fault fault = Fault::none;  // of the last field
+    const char* fault = nullptr;  // of the last field
 };
 
 // The end of a quoted field: the place of its closing quote, or npos.
@@ -56,12 +55,12 @@ SplitRow split_row(const std::string& text, char separator) {
             const std::size_t quote = closing_quote(text, begin + 1);
             row.fields.push_back(without_doubled_quotes(text.substr(begin + 1, quote - begin - 1)));
             if (quote == std::string::npos) {
-                row.fault = Fault::quote_open;
+                row.fault = quote_open;
                 return row;
             }
             at = std::min(text.find_first_not_of(" \t", quote + 1), text.size());
             if (at < text.size() && text[at] != separator) {
-                row.fault = Fault::text_after_quote;
+                row.fault = VYBEG_MESSAGE("Words", "text follows its closing quotation mark");
                 return row;
             }
         }
@@ -112,27 +111,24 @@ private:
     // `separator`; false at the end of the file.
     Result<bool> next_row(char separator) {
         text_.clear();
-        Result<bool> more = append_line();
+        const bool found = TRY(append_line());
         line_ = lines_.number();
-        while (more && *more && split_row(text_, separator).fault == Fault::quote_open) {
+        while (found && split_row(text_, separator).fault == quote_open) {
             text_ += '\n';
-            more = append_line();
-            if (more && (!*more || text_.size() > longest_row)) {
-                return true;  // with its open quote, which the caller finds
+            const bool more = TRY(append_line());
+            if (!more || text_.size() > longest_row) {
+                break;  // with its open quote, which the caller finds
             }
         }
-        return more;
+        return found;
     }
 
     // The row of names, by the separator that separates most of those where one is `needed`.
     Result<SplitRow> names_with(const std::string& needed) {
         // The separator follows from the names, which hold no line end in either case.
-        Result<bool> more = next_row(',');
-        while (more && *more && stands_before_names(text_)) {
-            more = next_row(',');
-        }
-        if (!more) {
-            return more.error();
+        for (bool before = true; before;) {
+            const bool found = TRY(next_row(','));
+            before = found && stands_before_names(text_);
         }
         SplitRow best;
         for (const char separator : {',', ';', '\t'}) {
@@ -208,17 +204,8 @@ private:
 
     // No error but that of a quote.
     Status checked(const SplitRow& row) const {
-        const std::string at = column(row.fields.size() - 1);
-        switch (row.fault) {
-            case Fault::none: break;
-            case Fault::quote_open:
-                return invalid(at,
-                               words(VYBEG_MESSAGE("Words", "its quotation mark does not close")));
-            case Fault::text_after_quote:
-                return invalid(
-                    at, words(VYBEG_MESSAGE("Words", "text follows its closing quotation mark")));
-        }
-        return {};
+        return row.fault ? Status(invalid(column(row.fields.size() - 1), words(row.fault)))
+                         : Status();
     }
 
     // The name of a column, or its number.
@@ -263,10 +250,8 @@ std::vector<std::string> csv_fields(const std::string& row) {
 Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& needed,
                          const UsualName& usual) {
     auto file = TRY(FileBytes::open(path));
-    std::array<char, 4> head{};
-    const Result<std::int64_t> got = file->read(0, head);
-    const std::string_view start(head.data(), head.size());
-    if (got && (start == "PK\3\4" || start == "\xD0\xCF\x11\xE0")) {
+    const auto head = file->text(0, 4);
+    if (head && (*head == "PK\3\4" || *head == "\xD0\xCF\x11\xE0")) {
         return Error{ErrorCode::list_invalid,
                      path.string(),
                      {"1", needed,
