@@ -13,7 +13,7 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{1} << 16;  // even, for UTF-16
+constexpr std::int64_t longest_mark = 4;  // bytes, of the encoding
 
 // Bytes of the longest line that a table may have.
 constexpr std::size_t longest_line = std::size_t{1} << 20;
@@ -44,78 +44,6 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
                              "Write a line for each time, with one number for each "
                              "channel"))});
 }
-
-}  // namespace
-
-TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
-    : file_(std::move(file)), format_(format) {}
-
-std::int64_t TextLines::position() const {
-    const std::string_view left = std::string_view(buffer_).substr(begin_);
-    if (encoding_ == TextEncoding::bytes) {
-        return offset_ - static_cast<std::int64_t>(left.size());
-    }
-    // Every two bytes of the file have become one character.
-    const auto characters = std::count_if(left.begin(), left.end(), [](char byte) {
-        return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-    });
-    return offset_ / 2 * 2 - 2 * static_cast<std::int64_t>(characters);
-}
-
-void TextLines::skip(std::int64_t bytes) {
-    const auto held = static_cast<std::int64_t>(buffer_.size() - begin_);
-    begin_ += static_cast<std::size_t>(std::min(bytes, held));
-    offset_ += std::min(std::max<std::int64_t>(bytes - held, 0), file_->size() - offset_);
-}
-
-Status TextLines::fill() {
-    buffer_.erase(0, begin_);
-    begin_ = 0;
-    std::vector<char> bytes(chunk_bytes);
-    const auto got = TRY(file_->read(offset_, bytes));
-    std::string_view chunk(bytes.data(), static_cast<std::size_t>(got));
-    if (offset_ == 0) {
-        encoding_ = encoding_of(chunk);
-        chunk.remove_prefix(mark_length(chunk));
-    }
-    offset_ += got;
-    if (encoding_ == TextEncoding::bytes) {
-        buffer_ += chunk;
-    } else {
-        append_utf16(chunk, encoding_, buffer_);
-    }
-    if (got == 0) {
-        offset_ = std::max(offset_, file_->size());
-    }
-    return {};
-}
-
-Result<std::optional<std::string_view>> TextLines::next() {
-    std::size_t end = begin_;
-    for (;;) {
-        end = line_end(buffer_, end);
-        // A CR that is the last byte of the buffer may belong to a CRLF.
-        const bool whole = end + 1 < buffer_.size();
-        if (whole || offset_ >= file_->size()) {
-            break;
-        }
-        if (end - begin_ > longest_line) {
-            return line_too_long(*file_, format_, number_ + 1);
-        }
-        end -= begin_;
-        TRY(fill());
-    }
-    if (begin_ >= buffer_.size()) {
-        return std::optional<std::string_view>{};
-    }
-    const std::string_view line(buffer_.data() + begin_, end - begin_);
-    ended_ = end < buffer_.size();
-    begin_ = behind_line_end(buffer_, end);
-    ++number_;
-    return std::optional(line);
-}
-
-namespace {
 
 // Some thousand rows: little to read for one of them, much for one entry of the index. Even, for
 // UTF-16.
@@ -159,10 +87,11 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     const std::int64_t from = begin_ + index * block_bytes;
     const std::int64_t to = std::min(from + block_bytes, end_);
     const std::int64_t unit = encoding_ == TextEncoding::bytes ? 1 : 2;
+    block.offset = index > 0 ? from - unit : from;
     block.bytes.clear();
     block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
     // One character more: whether it is a line end tells whether a line begins with the block.
-    TRY(append(index > 0 ? from - unit : from, to, block.bytes));
+    TRY(append(block.offset, to, block.bytes));
     block.end = block.bytes.size();
     block.begin = index > 0 ? behind_line_end(block.text(), line_end(block.text(), 0)) : 0;
     if (block.begin >= block.end) {
@@ -173,7 +102,8 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     std::int64_t behind = to;
     for (std::int64_t more = first_overhang; behind < end_; more *= 4) {
         searched = line_end(block.text(), searched);
-        if (searched < block.bytes.size() || searched > block.end + longest_line) {
+        // A CR that is the last byte may belong to a CRLF.
+        if (searched + 1 < block.bytes.size() || searched > block.end + longest_line) {
             break;
         }
         const std::int64_t next = std::min(behind + more, end_);
@@ -181,6 +111,58 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
         behind = next;
     }
     return {};
+}
+
+TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
+    : file_(std::move(file)), format_(format) {}
+
+std::int64_t TextLines::position() const {
+    const std::string_view passed = block_.text().substr(0, at_);
+    if (!blocks_ || blocks_->encoding() == TextEncoding::bytes) {
+        return block_.offset + std::ssize(passed);
+    }
+    // Every two bytes of the file have become one character.
+    return block_.offset + 2 * std::ranges::count_if(passed, [](char byte) {
+                               return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+                           });
+}
+
+void TextLines::skip(std::int64_t bytes) {
+    const auto at = static_cast<std::int64_t>(at_) + bytes;
+    if (bytes == 0 || at < static_cast<std::int64_t>(block_.end)) {
+        at_ = static_cast<std::size_t>(at);
+        return;
+    }
+    const std::int64_t from = position() + std::min(bytes, file_->size() - position());
+    blocks_.emplace(file_, TextEncoding::bytes, from, file_->size());
+    read_ = 0;
+    block_ = TextBlock();
+    block_.offset = from;
+    at_ = 0;
+}
+
+Result<std::optional<std::string_view>> TextLines::next() {
+    if (!blocks_) {
+        const auto head = TRY(file_->text(0, longest_mark));
+        blocks_.emplace(file_, encoding_of(head), static_cast<std::int64_t>(mark_length(head)),
+                        file_->size());
+    }
+    while (at_ >= block_.end) {
+        if (read_ == blocks_->count()) {
+            return std::optional<std::string_view>{};
+        }
+        TRY(blocks_->read(read_++, block_));
+        at_ = block_.begin;
+    }
+    const std::size_t begin = at_;
+    const std::size_t end = line_end(block_.text(), begin);
+    if (end - begin > longest_line) {
+        return line_too_long(*file_, format_, number_ + 1);
+    }
+    ended_ = end < block_.bytes.size();
+    at_ = behind_line_end(block_.text(), end);
+    ++number_;
+    return std::optional(block_.text().substr(begin, end - begin));
 }
 
 namespace {
@@ -527,7 +509,7 @@ Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding
 
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns) {
-    const auto head = TRY(file->text(0, 4));
+    const auto head = TRY(file->text(0, longest_mark));
     auto begin = static_cast<std::int64_t>(mark_length(head));
     std::int64_t header_lines = 0;
     TextLines lines(file);

@@ -16,8 +16,42 @@
 
 namespace vybeg {
 
+// The lines that begin in one block of a text file, as UTF-8 bytes.
+struct TextBlock {
+    std::string bytes;        // also what stands around those lines
+    std::int64_t offset = 0;  // of them in the file
+    std::size_t begin = 0;    // of the first line
+    std::size_t end = 0;      // lines that begin from here on belong to later blocks
+
+    std::string_view text() const { return bytes; }
+};
+
+// A text file cut into blocks of equally many bytes, each with the lines that begin in it: any of
+// them can be read at any time, from several threads at once.
+class TextBlocks {
+public:
+    // The text from `begin`, which is the first byte of a line, to `end`.
+    TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding, std::int64_t begin,
+               std::int64_t end);
+
+    const FileBytes& file() const { return *file_; }
+    TextEncoding encoding() const { return encoding_; }
+    std::int64_t count() const;  // blocks
+    // Replaces what `block` holds. A line of more than longest_line bytes is cut behind that many.
+    // Errors: file_read_failed.
+    Status read(std::int64_t index, TextBlock& block) const;
+
+private:
+    Status append(std::int64_t from, std::int64_t to, std::string& bytes) const;
+
+    std::shared_ptr<const FileBytes> file_;
+    TextEncoding encoding_;
+    std::int64_t begin_;
+    std::int64_t end_;
+};
+
 // The lines of a text file one after the other, as UTF-8 bytes without line ends (LF, CRLF, CR) and
-// without the byte order mark. Holds one chunk of the file in memory.
+// without the byte order mark. Holds one block of the file in memory.
 class TextLines {
 public:
     // `format` names the file in errors.
@@ -36,48 +70,14 @@ public:
     std::int64_t position() const;                   // of the next line in the file, in bytes
 
 private:
-    Status fill();
-
     std::shared_ptr<const FileBytes> file_;
     const char* format_;
-    TextEncoding encoding_ = TextEncoding::bytes;
-    std::string buffer_;  // decoded text that is not yet returned, from begin_ on
-    std::size_t begin_ = 0;
-    std::int64_t offset_ = 0;  // in the file
+    std::optional<TextBlocks> blocks_;  // of the lines; nothing before the first one is read
+    std::int64_t read_ = 0;             // of the blocks, up to the present one
+    TextBlock block_;
+    std::size_t at_ = 0;  // of the next line in it
     std::int64_t number_ = 0;
     bool ended_ = true;
-};
-
-// The lines that begin in one block of a text file, as UTF-8 bytes.
-struct TextBlock {
-    std::string bytes;      // also what stands around those lines
-    std::size_t begin = 0;  // of the first line
-    std::size_t end = 0;    // lines that begin from here on belong to later blocks
-
-    std::string_view text() const { return bytes; }
-};
-
-// A text file cut into blocks of equally many bytes, each with the lines that begin in it: any of
-// them can be read at any time, from several threads at once.
-class TextBlocks {
-public:
-    // The text from `begin`, which is the first byte of a line, to `end`.
-    TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding, std::int64_t begin,
-               std::int64_t end);
-
-    const FileBytes& file() const { return *file_; }
-    std::int64_t count() const;  // blocks
-    // Replaces what `block` holds. A line of more than longest_line bytes is cut behind that many.
-    // Errors: file_read_failed.
-    Status read(std::int64_t index, TextBlock& block) const;
-
-private:
-    Status append(std::int64_t from, std::int64_t to, std::string& bytes) const;
-
-    std::shared_ptr<const FileBytes> file_;
-    TextEncoding encoding_;
-    std::int64_t begin_;
-    std::int64_t end_;
 };
 
 // Which columns of a table are read, from 0; -1 for the time where there is none or it is not
