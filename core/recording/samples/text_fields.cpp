@@ -181,9 +181,9 @@ std::string usual_number(std::string_view field, bool groups) {
             text += "inf";
             i += infinity_sign.size() - 1;
         } else {
-            const bool exponent = (field[i] == 'd' || field[i] == 'D') && i > 0 &&
-                                  ((field[i - 1] >= '0' && field[i - 1] <= '9') ||
-                                   field[i - 1] == '.' || field[i - 1] == ',');
+            const bool exponent =
+                (field[i] == 'd' || field[i] == 'D') && i > 0 &&
+                (is_digit(field[i - 1]) || field[i - 1] == '.' || field[i - 1] == ',');
             text += exponent ? 'e' : field[i];
         }
     }
@@ -258,12 +258,8 @@ std::string_view take_while(std::string_view& text, Predicate is) {
 
 // A number of one or two digits below `limit`; -1 where there is none.
 int small_number(std::string_view digits, int limit) {
-    if (digits.empty() || digits.size() > 2) {
-        return -1;
-    }
-    int value = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return value < limit ? value : -1;
+    const auto value = digits.size() <= 2 ? whole_number<int>(digits) : std::nullopt;
+    return value && *value < limit ? *value : -1;
 }
 
 // Takes a date and what separates it from a time; false where the text does not begin with one.

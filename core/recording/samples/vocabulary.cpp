@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 namespace vybeg {
@@ -89,32 +90,19 @@ constexpr std::array units{
     Unit{"frequency", "Hz"},
 };
 
-struct Prefix {
-    std::string_view spellings;
-    double factor;
-};
-constexpr std::array prefixes{Prefix{"p", 1e-12},
-                              Prefix{"n nano н", 1e-9},
-                              Prefix{"u µ μ micro Micro мк микро", 1e-6},  // U+00B5, U+03BC
-                              Prefix{"m milli Milli м милли", 1e-3},
-                              Prefix{"k K kilo к", 1e3},
-                              Prefix{"M М", 1e6}};
+using Prefix = std::pair<std::string_view, double>;
+constexpr std::array prefixes{
+    Prefix{"p", 1e-12},    Prefix{"n", 1e-9},      Prefix{"nano", 1e-9},   Prefix{"н", 1e-9},
+    Prefix{"u", 1e-6},     Prefix{"\u00B5", 1e-6}, Prefix{"\u03BC", 1e-6}, Prefix{"micro", 1e-6},
+    Prefix{"Micro", 1e-6}, Prefix{"мк", 1e-6},     Prefix{"микро", 1e-6},  Prefix{"m", 1e-3},
+    Prefix{"milli", 1e-3}, Prefix{"Milli", 1e-3},  Prefix{"м", 1e-3},      Prefix{"милли", 1e-3},
+    Prefix{"k", 1e3},      Prefix{"K", 1e3},       Prefix{"kilo", 1e3},    Prefix{"к", 1e3},
+    Prefix{"M", 1e6},      Prefix{"М", 1e6}};
 
-// Calls `use` with the words of a list, in their order, until it returns true.
-template <class Use>
-bool any_word(std::string_view list, Use use) {
-    for (std::size_t begin = 0; begin < list.size();) {
-        const std::size_t end = std::min(list.find(' ', begin), list.size());
-        if (use(list.substr(begin, end - begin))) {
-            return true;
-        }
-        begin = end + 1;
-    }
-    return false;
-}
-
+// Whether a word is one of a list with blanks between them.
 bool is_listed(std::string_view word, std::string_view list) {
-    return any_word(list, [word](std::string_view each) { return each == word; });
+    return std::ranges::any_of(std::views::split(list, ' '),
+                               [word](const auto& each) { return std::ranges::equal(each, word); });
 }
 
 struct Scaled {
@@ -134,19 +122,15 @@ std::optional<Scaled> find_unit(std::string_view text, Wanted is_wanted) {
     if (const auto whole = find(text, false); whole != units.end()) {
         return Scaled{whole->quantity, whole->factor};
     }
-    std::optional<Scaled> found;
-    for (const Prefix& prefix : prefixes) {
-        any_word(prefix.spellings, [&](std::string_view before) {
-            if (!found && text.starts_with(before)) {
-                const auto unit = find(text.substr(before.size()), true);
-                if (unit != units.end()) {
-                    found = Scaled{unit->quantity, prefix.factor * unit->factor};
-                }
+    for (const auto& [prefix, factor] : prefixes) {
+        if (text.starts_with(prefix)) {
+            const auto unit = find(text.substr(prefix.size()), true);
+            if (unit != units.end()) {
+                return Scaled{unit->quantity, factor * unit->factor};
             }
-            return found.has_value();
-        });
+        }
     }
-    return found;
+    return std::nullopt;
 }
 
 std::optional<double> factor_of(std::string_view unit, std::string_view quantity) {

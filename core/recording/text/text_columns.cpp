@@ -96,15 +96,14 @@ bool rises_evenly(const std::vector<double>& values) {
 }
 
 bool is_whole(const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(),
-                       [](double value) { return value == std::floor(value); });
+    return std::ranges::all_of(values, [](double value) { return value == std::floor(value); });
 }
 
 // Whole numbers of which each is the one before and one more.
 bool counts_by_one(const std::vector<double>& values) {
     const std::vector<double> steps = steps_of(values);
     return steps.size() >= 2 && is_whole(values) &&
-           std::all_of(steps.begin(), steps.end(), [](double step) { return step == 1; });
+           std::ranges::all_of(steps, [](double step) { return step == 1; });
 }
 
 class ColumnSearch {
