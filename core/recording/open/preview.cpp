@@ -90,8 +90,7 @@ Status read_table(const std::shared_ptr<const FileBytes>& file, const OpenOption
     TRY(check_channels(*file, static_cast<int>(columns.size()), options));
     preview.c_column = columns[static_cast<std::size_t>(options.channel_c - 1)];
     preview.d_column = columns[static_cast<std::size_t>(options.channel_d - 1)];
-    const auto chosen = TRY(columns_for(*file, format, options));
-    const auto table = TRY(find_table(file, format, chosen));
+    const auto table = TRY(table_for(file, format, options));
     return read_rows(table, preview);
 }
 

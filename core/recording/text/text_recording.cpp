@@ -159,31 +159,6 @@ Result<Recording> open_apart(const std::shared_ptr<const FileBytes>& file,
     return pair;
 }
 
-}  // namespace
-
-Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
-                                const OpenOptions& options) {
-    const std::vector<int> columns = channel_columns(format);
-    TextColumns chosen{.time = format.time_column,
-                       .c = columns[static_cast<std::size_t>(options.channel_c - 1)],
-                       .d = columns[static_cast<std::size_t>(options.channel_d - 1)]};
-    const auto c = static_cast<std::size_t>(chosen.c);
-    const auto d = static_cast<std::size_t>(chosen.d);
-    const auto differ = [&](const char* text) {
-        return file.unsupported("text", text, {count_arg(chosen.c + 1), count_arg(chosen.d + 1)});
-    };
-    if (!format.own_times.empty()) {
-        chosen.time = format.own_times[c];
-    }
-    constexpr double same_rate = 1e-9;
-    if (!format.rates.empty() &&
-        std::abs(format.rates[c].hz / format.rates[d].hz - 1) > same_rate) {
-        return differ(VYBEG_MESSAGE("Words", "columns %1 and %2 of different sample rates"));
-    }
-    chosen.d_factor = unit_ratio(format.headings[d].unit, format.headings[c].unit).value_or(1);
-    return chosen;
-}
-
 // Liquid Instruments' devices say in the first line what they are.
 bool is_of_phasemeter(const TextHead& head) {
     const std::string& first = head.lines.empty() ? std::string() : head.lines.front();
@@ -245,29 +220,48 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
     return is_whole_angle(format) ? Status(file.error(ErrorCode::holds_angle)) : Status();
 }
 
+}  // namespace
+
+Result<TextTable> table_for(const std::shared_ptr<const FileBytes>& file, TextFormat format,
+                            const OpenOptions& options) {
+    const std::vector<int> channels = channel_columns(format);
+    TextColumns columns{.time = format.time_column,
+                        .c = channels[static_cast<std::size_t>(options.channel_c - 1)],
+                        .d = channels[static_cast<std::size_t>(options.channel_d - 1)]};
+    const auto c = static_cast<std::size_t>(columns.c);
+    const auto d = static_cast<std::size_t>(columns.d);
+    constexpr double same_rate = 1e-9;
+    if (!format.rates.empty() &&
+        std::abs(format.rates[c].hz / format.rates[d].hz - 1) > same_rate) {
+        return file->unsupported(
+            "text", VYBEG_MESSAGE("Words", "columns %1 and %2 of different sample rates"),
+            {count_arg(columns.c + 1), count_arg(columns.d + 1)});
+    }
+    columns.d_factor = unit_ratio(format.headings[d].unit, format.headings[c].unit).value_or(1);
+    if (!format.own_times.empty() && format.own_times[c] != format.time_column) {
+        columns.time = format.time_column = format.own_times[c];
+        format.time_unit_s =
+            seconds_per(time_unit(format.heading(columns.time))).value_or(format.own_time_unit_s);
+    }
+    return find_table(file, format, columns);
+}
+
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
                                const OpenOptions& options, const JobControl& job) {
     const TextChoice choice = options.text.value_or(TextChoice{});
     const auto head = TRY(read_text_head(file, choice.lines_to_skip, job));
-    const auto found = find_text_format(*file, head, choice);
-    TRY(check_holds_samples(*file, head, found ? *found : TextFormat()));
-    if (!found) {
-        return found.error();
+    const auto format = find_text_format(*file, head, choice);
+    TRY(check_holds_samples(*file, head, format ? *format : TextFormat()));
+    if (!format) {
+        return format.error();
     }
-    const TextFormat& format = *found;
-    const auto channels = static_cast<int>(channel_columns(format).size());
+    const auto channels = static_cast<int>(channel_columns(*format).size());
     TRY(check_channels(*file, channels, options));
-    const auto chosen = TRY(columns_for(*file, format, options));
-    if (chosen.time < 0 && format.rates.empty() && !options.rate_hz) {
+    auto table = TRY(table_for(file, *format, options));
+    if (table.columns.time < 0 && table.format.rates.empty() && !options.rate_hz) {
         return file->error(ErrorCode::rate_unknown);  // before the work of reading it
     }
-    TextFormat used = format;
-    if (chosen.time != format.time_column) {
-        used.time_column = chosen.time;
-        used.time_unit_s =
-            seconds_per(time_unit(format.heading(chosen.time))).value_or(format.own_time_unit_s);
-    }
-    return find_table(file, used, chosen);
+    return table;
 }
 
 bool same_written_rate(double stated_hz, double hz, double relative_sd) {

@@ -23,10 +23,10 @@ Result<Recording> open_text(std::shared_ptr<const FileBytes> file, const OpenOpt
 // Whether a rate that a header states, perhaps rounded, is one known to that relative deviation.
 bool same_written_rate(double stated_hz, double hz, double relative_sd);
 
-// The columns of the chosen channels, which exist, with C's time. Errors: format_unsupported where
-// C and D have different rates.
-Result<TextColumns> columns_for(const FileBytes& file, const TextFormat& format,
-                                const OpenOptions& options);
+// The table of the chosen channels, which exist, with C's time. Errors: format_unsupported where C
+// and D have different rates; those of find_table().
+Result<TextTable> table_for(const std::shared_ptr<const FileBytes>& file, TextFormat format,
+                            const OpenOptions& options);
 
 // The table that open_text() reads, before its rows are looked at.
 Result<TextTable> choose_table(const std::shared_ptr<const FileBytes>& file,
