@@ -50,15 +50,6 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
 constexpr std::int64_t block_bytes = std::int64_t{1} << 17;
 constexpr std::int64_t first_overhang = 4096;  // for the last line, which ends behind the block
 
-// The ASCII character at `at`, in one byte or two; for any other one, one that no text looks for.
-char ascii_at(std::string_view text, std::size_t at, TextEncoding encoding) {
-    if (encoding == TextEncoding::bytes) {
-        return text[at];
-    }
-    const std::size_t low = encoding == TextEncoding::utf16_big ? 1 : 0;
-    return text[at + 1 - low] == '\0' ? text[at + low] : '\x80';
-}
-
 }  // namespace
 
 TextBlocks::TextBlocks(std::shared_ptr<const FileBytes> file, TextEncoding encoding,
@@ -113,19 +104,19 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     return {};
 }
 
-TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
-    : file_(std::move(file)), format_(format) {}
-
-std::int64_t TextLines::position() const {
-    const std::string_view passed = block_.text().substr(0, at_);
-    if (!blocks_ || blocks_->encoding() == TextEncoding::bytes) {
-        return block_.offset + std::ssize(passed);
+std::int64_t TextBlocks::place(const TextBlock& block, std::size_t at) const {
+    const std::string_view before = block.text().substr(0, at);
+    if (encoding_ == TextEncoding::bytes) {
+        return block.offset + std::ssize(before);
     }
     // Every two bytes of the file have become one character.
-    return block_.offset + 2 * std::ranges::count_if(passed, [](char byte) {
-                               return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-                           });
+    return block.offset + 2 * std::ranges::count_if(before, [](char byte) {
+                              return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
+                          });
 }
+
+TextLines::TextLines(std::shared_ptr<const FileBytes> file, const char* format)
+    : file_(std::move(file)), format_(format) {}
 
 void TextLines::skip(std::int64_t bytes) {
     const auto at = static_cast<std::int64_t>(at_) + bytes;
@@ -441,68 +432,56 @@ bool TextRows::fail(int column) {
 
 namespace {
 
+// The end of the last line that has content in a text from `begin` to `end`; spreadsheets write
+// rows of delimiters behind it. Errors: file_read_failed.
+Result<std::int64_t> end_of_content(const std::shared_ptr<const FileBytes>& file,
+                                    TextEncoding encoding, std::int64_t begin, std::int64_t end) {
+    const TextBlocks blocks(file, encoding, begin, end);
+    const std::string empty = std::string(no_content) + "\r\n";
+    TextBlock block;
+    for (std::int64_t index = blocks.count(); index-- > 0;) {
+        TRY(blocks.read(index, block));
+        const std::size_t last = block.text().find_last_not_of(empty);
+        const bool found = last != std::string::npos;
+        const std::size_t behind = line_end(block.text(), found ? last : 0);
+        end = behind < block.bytes.size() ? blocks.place(block, behind + 1) : end;
+        if (found) {
+            return end;
+        }
+    }
+    return begin;
+}
+
 // The end of the table in a text that ends at `end`: before the last lines that stand behind it, of
 // which few are looked at and those with content counted. Errors: file_read_failed.
-Result<std::int64_t> end_of_table(const FileBytes& file, TextEncoding encoding, std::int64_t begin,
-                                  std::int64_t end, const TextFormat& format,
-                                  std::int64_t& footer_lines) {
-    constexpr std::int64_t looked_at = 1 << 14;  // bytes
-    const std::size_t unit = encoding == TextEncoding::bytes ? 1 : 2;
-    const std::int64_t from = end - std::min(end - begin, looked_at) /
-                                        static_cast<std::int64_t>(unit * unit) *
-                                        static_cast<std::int64_t>(unit * unit);
-    const auto bytes = TRY(file.text(from, end - from));
-    const std::string_view text = bytes;
-    const auto ends_at = [&](std::size_t at) { return ends_line(ascii_at(text, at, encoding)); };
+Result<std::int64_t> end_of_table(const std::shared_ptr<const FileBytes>& file,
+                                  TextEncoding encoding, std::int64_t begin, std::int64_t end,
+                                  const TextFormat& format, std::int64_t& footer_lines) {
+    constexpr std::int64_t looked_at = 1 << 14;  // bytes, less than a block has
+    const std::int64_t from = end - std::min(end - begin, looked_at);
+    const TextBlocks blocks(file, encoding, from, end);
+    TextBlock block;
+    TRY(blocks.read(0, block));
+    const std::string_view text = block.text();
     std::size_t to = text.size();
     while (to > 0) {
         std::size_t last = to;  // behind the line's characters
-        while (last >= unit && ends_at(last - unit)) {
-            last -= unit;
+        while (last > 0 && ends_line(text[last - 1])) {
+            --last;
         }
         std::size_t first = last;
-        while (first >= unit && !ends_at(first - unit)) {
-            first -= unit;
+        while (first > 0 && !ends_line(text[first - 1])) {
+            --first;
         }
-        if (first < unit && from > begin) {
-            break;  // the line begins before what is looked at
-        }
-        std::string line;
-        if (encoding == TextEncoding::bytes) {
-            line = text.substr(first, last - first);
-        } else {
-            append_utf16(text.substr(first, last - first), encoding, line);
-        }
-        if (!is_behind_table(line, format)) {
+        // Of a line that begins before what is looked at, nothing is known.
+        const std::string_view line = text.substr(first, last - first);
+        if ((first == 0 && from > begin) || !is_behind_table(line, format)) {
             break;
         }
         footer_lines += trimmed(line).empty() ? 0 : 1;
         to = first;
     }
-    return from + static_cast<std::int64_t>(to);
-}
-
-// The end of the last line that has content; spreadsheets write rows of delimiters behind it.
-// Errors: file_read_failed.
-Result<std::int64_t> end_of_content(const FileBytes& file, TextEncoding encoding,
-                                    std::int64_t begin) {
-    const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
-    const std::int64_t size = begin + (file.size() - begin) / unit * unit;
-    std::int64_t line_ends = size;  // of the lines behind
-    for (std::int64_t to = size; to > begin;) {
-        const std::int64_t from = std::max(begin, to - first_overhang);
-        const auto text = TRY(file.text(from, to - from));
-        for (std::int64_t at = std::ssize(text) / unit * unit - unit; at >= 0; at -= unit) {
-            const char character = ascii_at(text, static_cast<std::size_t>(at), encoding);
-            if (ends_line(character)) {
-                line_ends = from + at + unit;
-            } else if (no_content.find(character) == std::string_view::npos) {
-                return line_ends;
-            }
-        }
-        to = from;
-    }
-    return begin;
+    return blocks.place(block, to);
 }
 
 }  // namespace
@@ -521,11 +500,13 @@ Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFo
         header_lines += trimmed(*line).empty() ? 0 : 1;
         begin = lines.position();
     }
-    const auto content = TRY(end_of_content(*file, encoding_of(head), begin));
+    const TextEncoding encoding = encoding_of(head);
+    const std::int64_t unit = encoding == TextEncoding::bytes ? 1 : 2;
+    const std::int64_t size = begin + (file->size() - begin) / unit * unit;
+    const auto content = TRY(end_of_content(file, encoding, begin, size));
     std::int64_t footer_lines = 0;
-    const auto end =
-        TRY(end_of_table(*file, encoding_of(head), begin, content, format, footer_lines));
-    return TextTable{TextBlocks(file, encoding_of(head), begin, end), format, columns, header_lines,
+    const auto end = TRY(end_of_table(file, encoding, begin, content, format, footer_lines));
+    return TextTable{TextBlocks(file, encoding, begin, end), format, columns, header_lines,
                      footer_lines};
 }
 

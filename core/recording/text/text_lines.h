@@ -35,11 +35,12 @@ public:
                std::int64_t end);
 
     const FileBytes& file() const { return *file_; }
-    TextEncoding encoding() const { return encoding_; }
     std::int64_t count() const;  // blocks
     // Replaces what `block` holds. A line of more than longest_line bytes is cut behind that many.
     // Errors: file_read_failed.
     Status read(std::int64_t index, TextBlock& block) const;
+    // Where in the file the byte `at` of what has been read lies.
+    std::int64_t place(const TextBlock& block, std::size_t at) const;
 
 private:
     Status append(std::int64_t from, std::int64_t to, std::string& bytes) const;
@@ -67,7 +68,8 @@ public:
 
     std::int64_t number() const { return number_; }  // of the line last returned, from 1
     bool ended() const { return ended_; }            // whether that line had a line end
-    std::int64_t position() const;                   // of the next line in the file, in bytes
+    // Of the next line in the file, in bytes.
+    std::int64_t position() const { return blocks_ ? blocks_->place(block_, at_) : 0; }
 
 private:
     std::shared_ptr<const FileBytes> file_;
