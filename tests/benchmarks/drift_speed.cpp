@@ -38,8 +38,7 @@ Recorded record(double drift_hz_s) {
     decay.tau_s = 400;
     decay.damping_anisotropy_per_s = 0;
     SimulatedDecay simulated = test::needed(simulate(decay, {}));
-    return {drift_hz_s,
-            std::make_shared<MemorySource>(std::move(simulated.c), std::move(simulated.d))};
+    return {drift_hz_s, memory_source(std::move(simulated.c), std::move(simulated.d))};
 }
 
 struct Case {

@@ -30,8 +30,7 @@ ConditionedRecording decay_in_memory(double seconds) {
     SimulatedDecay simulated = test::needed(simulate(decay, {}));
     ConditionedRecording prepared;
     prepared.end = static_cast<std::int64_t>(simulated.c.size());
-    prepared.source =
-        std::make_shared<MemorySource>(std::move(simulated.c), std::move(simulated.d));
+    prepared.source = memory_source(std::move(simulated.c), std::move(simulated.d));
     prepared.f0_hz = decay.f0_hz;
     return prepared;
 }

@@ -16,7 +16,7 @@ inline Recording recording_of(std::vector<double> c, std::vector<double> d, doub
     recording.path = "simulated";
     recording.rate_hz = rate_hz;
     recording.channels = {{"C", ""}, {"D", ""}};
-    recording.source = std::make_shared<MemorySource>(std::move(c), std::move(d));
+    recording.source = memory_source(std::move(c), std::move(d));
     return recording;
 }
 

@@ -7,13 +7,6 @@
 #include <limits>
 
 namespace vybeg {
-
-Status MemorySource::read(std::int64_t first, std::span<double> c, std::span<double> d) const {
-    std::copy_n(c_.begin() + first, c.size(), c.begin());
-    std::copy_n(d_.begin() + first, d.size(), d.begin());
-    return {};
-}
-
 namespace {
 
 constexpr double missing_sample = std::numeric_limits<double>::quiet_NaN();
@@ -39,6 +32,17 @@ private:
 
 std::shared_ptr<const SampleSource> source_of(std::int64_t frames, bool seeks, ReadFrames read) {
     return std::make_shared<ReadSource>(frames, seeks, std::move(read));
+}
+
+std::shared_ptr<const SampleSource> memory_source(std::vector<double> c, std::vector<double> d) {
+    const std::int64_t frames = std::ssize(c);
+    return source_of(frames, true,
+                     [c = std::move(c), d = std::move(d)](
+                         std::int64_t first, std::span<double> out_c, std::span<double> out_d) {
+                         std::copy_n(c.begin() + first, out_c.size(), out_c.begin());
+                         std::copy_n(d.begin() + first, out_d.size(), out_d.begin());
+                         return Status();
+                     });
 }
 
 std::shared_ptr<const SampleSource> mapped_source(

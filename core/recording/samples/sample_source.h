@@ -34,25 +34,13 @@ public:
     virtual Status read(std::int64_t first, std::span<double> c, std::span<double> d) const = 0;
 };
 
-// Samples in memory.
-class MemorySource : public SampleSource {
-public:
-    // Precondition: equal lengths.
-    MemorySource(std::vector<double> c, std::vector<double> d)
-        : c_(std::move(c)), d_(std::move(d)) {}
-
-    std::int64_t frames() const override { return std::ssize(c_); }
-    Status read(std::int64_t first, std::span<double> c, std::span<double> d) const override;
-
-private:
-    std::vector<double> c_;
-    std::vector<double> d_;
-};
-
 // A source of so many frames, whose `read` is SampleSource::read().
 using ReadFrames =
     std::function<Status(std::int64_t first, std::span<double> c, std::span<double> d)>;
 std::shared_ptr<const SampleSource> source_of(std::int64_t frames, bool seeks, ReadFrames read);
+
+// Samples in memory. Precondition: equal lengths.
+std::shared_ptr<const SampleSource> memory_source(std::vector<double> c, std::vector<double> d);
 
 // The source whose frames `change` has changed in place.
 std::shared_ptr<const SampleSource> mapped_source(

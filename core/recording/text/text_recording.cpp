@@ -40,7 +40,7 @@ Result<std::int64_t> take_resampled(const TextTable& table, const TextScan& scan
     found.own_rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
     found.diagnostics.insert(found.diagnostics.end(), grid.diagnostics.begin(),
                              grid.diagnostics.end());
-    found.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
+    found.source = memory_source(std::move(grid.c), std::move(grid.d));
     const std::int64_t missing = scan.left_out.first_missing_row;
     if (missing < 0) {
         return missing;

@@ -189,8 +189,7 @@ Result<std::shared_ptr<const SampleSource>> uff_source(UffSamples c, UffSamples 
     const std::size_t frames = std::min(c.values.size(), d.values.size());
     c.values.resize(frames);
     d.values.resize(frames);
-    return std::shared_ptr<const SampleSource>(
-        std::make_shared<MemorySource>(std::move(c.values), std::move(d.values)));
+    return memory_source(std::move(c.values), std::move(d.values));
 }
 
 // Takes a file's lines one after the other and keeps the samples of the two channels that are asked

@@ -508,7 +508,7 @@ private:
         auto grid = TRY(to_uniform_grid(samples, file_.path().string()));
         found.own_rate = SampleRate{grid.rate_hz, RateOrigin::time_column, grid.rate_relative_sd};
         found.diagnostics = std::move(grid.diagnostics);
-        found.source = std::make_shared<MemorySource>(std::move(grid.c), std::move(grid.d));
+        found.source = memory_source(std::move(grid.c), std::move(grid.d));
         return {};
     }
 

@@ -213,7 +213,7 @@ private slots:
         QVERIFY(recording.source->read(0, c, d));
         c[605] = std::nan("");
         d[1205] = std::numeric_limits<double>::infinity();
-        recording.source = std::make_shared<MemorySource>(c, d);
+        recording.source = memory_source(c, d);
         for (const Algorithm algorithm :
              {Algorithm::in_phase, Algorithm::conjugate_gradient, Algorithm::maximum_likelihood}) {
             Settings settings;

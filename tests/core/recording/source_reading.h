@@ -28,7 +28,7 @@ struct Samples {
 };
 
 inline std::shared_ptr<const SampleSource> source_of(Samples samples) {
-    return std::make_shared<MemorySource>(std::move(samples.c), std::move(samples.d));
+    return memory_source(std::move(samples.c), std::move(samples.d));
 }
 
 // Frames [first, first + length), or nothing where the source fails.

@@ -58,8 +58,8 @@ void add(Signal& signal, Function f) {
 }
 
 std::vector<Diagnostic> findings(Signal signal, std::optional<double> f0) {
-    const MemorySource source(std::move(signal.c), std::move(signal.d));
-    const Result<SampleFaults> faults = check_recording(source, rate, f0, {});
+    const auto source = memory_source(std::move(signal.c), std::move(signal.d));
+    const Result<SampleFaults> faults = check_recording(*source, rate, f0, {});
     return faults ? faults->findings : std::vector<Diagnostic>{{DiagnosticKind::time_gap, {}}};
 }
 
@@ -307,7 +307,7 @@ private slots:
             erase(cut.c);
             erase(cut.d);
         }
-        const auto source = std::make_shared<MemorySource>(cut.c, cut.d);
+        const auto source = memory_source(cut.c, cut.d);
         const Result<SampleFaults> faults = find_faults(*source, rate, 5300.01, {});
         QVERIFY(faults);
         const auto repaired = with_gaps(source, faults->steps);
@@ -343,8 +343,7 @@ private slots:
             signal.c[frame] = std::nan("");
         }
         const auto check = std::make_shared<FaultCheck>(5300, rate);
-        const auto source =
-            checked_source(std::make_shared<MemorySource>(signal.c, signal.d), check);
+        const auto source = checked_source(memory_source(signal.c, signal.d), check);
         std::vector<double> c(40000);
         std::vector<double> d(40000);
         // Overlapping portions: each frame counts once.
