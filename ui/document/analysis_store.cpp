@@ -59,13 +59,13 @@ ClosedRecording asClosed(const RecordingEntry& entry, const std::vector<Analysis
     for (std::size_t place = 0; place < analyses.size(); ++place) {
         const AnalysisEntry& analysis = analyses[place];
         if (analysis.recording_id == entry.id) {
-            closed.analyses->push_back({.settings = analysis.requested,
-                                        .name = analysis.shown.name,
-                                        .color = analysis.shown.color,
-                                        .shade = analysis.shown.shade,
-                                        .visible = analysis.shown.visible,
-                                        .live = analysis.live,
-                                        .place = static_cast<int>(place)});
+            AnalysisEntry& kept = closed.analyses->emplace_back();
+            kept.shown = analysis.shown;
+            kept.shown.analysis.reset();
+            kept.shown.curves.clear();
+            kept.requested = analysis.requested;
+            kept.live = analysis.live;
+            kept.place = static_cast<int>(place);
         }
     }
     return closed;
@@ -173,16 +173,16 @@ AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settin
                                           bool live) {
     const auto [first, last] = expected_.equal_range(recording_id);
     const auto wish = std::find_if(first, last, [&](const auto& expected) {
-        return expected.second.live == live && expected.second.settings == requested;
+        return expected.second.live == live && expected.second.requested == requested;
     });
     if (wish == last) {
         return nullptr;
     }
-    const AnalysisWish& wanted = wish->second;
-    AnalysisEntry entry = newAnalysis(*recordings_.find(recording_id), wanted.name);
-    entry.shown.color = wanted.color;
-    entry.shown.shade = wanted.shade;
-    entry.shown.visible = wanted.visible;
+    const AnalysisEntry& wanted = wish->second;
+    AnalysisEntry entry = newAnalysis(*recordings_.find(recording_id), wanted.shown.name);
+    entry.shown.color = wanted.shown.color;
+    entry.shown.shade = wanted.shown.shade;
+    entry.shown.visible = wanted.shown.visible;
     entry.live = live;
     entry.place = wanted.place;
     const auto next = std::ranges::upper_bound(analyses_, entry.place, {}, &AnalysisEntry::place);

@@ -35,18 +35,6 @@ struct AnalysisEntry {
     }
 };
 
-// An analysis that a session asks for: the settings to compute it with, and its look and place
-// among the others.
-struct AnalysisWish {
-    Settings settings;
-    QString name;
-    QColor color;
-    int shade = 0;
-    bool visible = true;
-    bool live = false;
-    int place = 0;
-};
-
 // A recording that is not open, with all that brings it back as it was: of a session, closed, or
 // not found.
 struct ClosedRecording {
@@ -55,8 +43,8 @@ struct ClosedRecording {
     QString path;           // absolute
     QString sha256;         // empty: not known yet
     OpenOptions options;
-    std::optional<std::vector<AnalysisWish>> analyses;  // none: those of a new recording
-    std::vector<SetId> sets;                            // that hold it
+    std::optional<std::vector<AnalysisEntry>> analyses;  // none: those of a new recording
+    std::vector<SetId> sets;                             // that hold it
     QJsonObject unknown;  // keys in its session that this program does not know, written again
 };
 
@@ -82,7 +70,7 @@ public:
     AnalysisId show(RecordingId recording_id, const Settings& requested, AnalysisOutcome outcome,
                     bool live);
     // The next analysis of that recording with these settings gets the look and place of the wish.
-    void expect(RecordingId recording_id, const AnalysisWish& wish) {
+    void expect(RecordingId recording_id, const AnalysisEntry& wish) {
         expected_.emplace(recording_id, wish);
     }
     // Steps of undo.
@@ -117,7 +105,7 @@ private:
     IdCounter& ids_;
     UndoSteps& steps_;
     std::vector<AnalysisEntry> analyses_;
-    std::multimap<RecordingId, AnalysisWish> expected_;  // by recording
+    std::multimap<RecordingId, AnalysisEntry> expected_;  // by recording
 };
 
 }  // namespace vybeg::ui

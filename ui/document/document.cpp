@@ -67,17 +67,17 @@ void Document::reopen(RecordingId id, const OpenOptions& options) {
 RecordingId Document::restore(const ClosedRecording& recording) {
     recordings_.open({recording.path}, recording.options);
     const auto id = recordings_.all().back().id;
-    restored_[id] = recording.analyses.value_or(std::vector<AnalysisWish>());
+    restored_[id] = recording.analyses.value_or(std::vector<AnalysisEntry>());
     return id;
 }
 
-void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses) {
-    for (const AnalysisWish& analysis : analyses) {
+void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisEntry>& analyses) {
+    for (const AnalysisEntry& analysis : analyses) {
         analyses_.expect(id, analysis);
         if (analysis.live) {
-            follow(id, analysis.settings);
+            follow(id, analysis.requested);
         } else {
-            ask({.recording_id = id, .settings = analysis.settings, .restored = true});
+            ask({.recording_id = id, .settings = analysis.requested, .restored = true});
         }
     }
 }

@@ -144,7 +144,7 @@ private:
     void takeArrived();
     void whenOpened(RecordingId id);
     void whenSettingsChanged(const Settings& before);
-    void restoreAnalyses(RecordingId id, const std::vector<AnalysisWish>& analyses);
+    void restoreAnalyses(RecordingId id, const std::vector<AnalysisEntry>& analyses);
     void ask(const Request& request);
     void computeAgain(RecordingId recording_id, const Settings& requested);
     // Live, of a recording: with these settings, or where it does not show the present ones yet.
@@ -162,10 +162,10 @@ private:
     AnalysisStore analyses_{job_, recordings_, ids_, steps_};
     RequestQueue queue_{job_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
-    DriftStore drift_{job_, ids_, steps_};
+    DriftStore drift_{job_, steps_};
     bool live_ = false;
     TimeRange visible_;
-    std::map<RecordingId, std::vector<AnalysisWish>> restored_;  // by recording, until it is open
+    std::map<RecordingId, std::vector<AnalysisEntry>> restored_;  // by recording, until it is open
     struct Arriving {
         SetId into = SetId::none;
         std::vector<RecordingId> ids;

@@ -66,12 +66,12 @@ void describe(Archive&& archive, Owner& view) {
     archive("units", view.units);
 }
 
-template <class Archive, Described<AnalysisWish> Owner>
+template <class Archive, Described<AnalysisEntry> Owner>
 void describe(Archive&& archive, Owner& analysis) {
-    archive("name", analysis.name);
+    archive("name", analysis.shown.name);
     archive("place", analysis.place);
-    archive.number("shade", analysis.shade, curve_shades - 1);
-    archive("visible", analysis.visible);
+    archive.number("shade", analysis.shown.shade, curve_shades - 1);
+    archive("visible", analysis.shown.visible);
     archive("live", analysis.live);
 }
 
@@ -231,18 +231,19 @@ Status readIdentify(const char* name, const QJsonValue& json, IdentifySettings& 
     return stored.empty() ? Status() : row_named(identify_settings(), name)->read(stored, settings);
 }
 
-QJsonObject wishToJson(const AnalysisWish& analysis) {
-    QJsonObject json{{color_key, analysis.color.name()},
-                     {settings_key, settingsToJson(analysis_settings(), analysis.settings)}};
+QJsonObject analysisToJson(const AnalysisEntry& analysis) {
+    QJsonObject json{{color_key, analysis.shown.color.name()},
+                     {settings_key, settingsToJson(analysis_settings(), analysis.requested)}};
     describe(JsonWriter(json), analysis);
     return json;
 }
 
-Result<AnalysisWish> wishFromJson(const QJsonObject& json) {
+Result<AnalysisEntry> analysisFromJson(const QJsonObject& json) {
     auto settings = TRY(analysisSettingsFromJson(json));
-    AnalysisWish analysis;
-    analysis.settings = std::move(settings);
-    analysis.color = QColor(json[color_key].toString());
+    AnalysisEntry analysis;
+    analysis.requested = std::move(settings);
+    analysis.shown.color = QColor(json[color_key].toString());
+    analysis.place = 0;
     describe(JsonReader(json), analysis);
     return analysis;
 }
@@ -253,7 +254,7 @@ QJsonObject recordingToJson(const ClosedRecording& recording, const QDir& folder
     json[sha256_key] = recording.sha256;
     json[options_key] = optionsToJson(recording.options);
     json[analyses_key] =
-        listToJson(recording.analyses.value_or(std::vector<AnalysisWish>()), wishToJson);
+        listToJson(recording.analyses.value_or(std::vector<AnalysisEntry>()), analysisToJson);
     return json;
 }
 
@@ -262,7 +263,7 @@ Result<ClosedRecording> recordingFromJson(const QJsonObject& json, const QDir& f
     recording.path = pathFromJson(json, folder);
     recording.sha256 = json[sha256_key].toString();
     recording.options = optionsFromJson(json[options_key].toObject());
-    TRY(readList(json[analyses_key], recording.analyses.emplace(), wishFromJson));
+    TRY(readList(json[analyses_key], recording.analyses.emplace(), analysisFromJson));
     recording.unknown = without(json, {path_key, sha256_key, options_key, analyses_key});
     return recording;
 }
