@@ -13,6 +13,8 @@ namespace vybeg::ui {
 
 namespace {
 
+constexpr int job_key = -1;  // those of recordings and requests are positive
+
 Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
                              const DriftSettings& settings, const JobControl& job) {
     DriftOutcome outcome;
@@ -85,19 +87,16 @@ void DriftStore::compute() {
     failure_.reset();
     computing_ = !input_.logs.empty();
     if (!computing_) {
-        if (key_ != 0) {  // none of its own was ever started
-            job_.forget(key_);
-        }
+        job_.forget(job_key);
         emit settled(Topic::drift);
         return;
     }
-    key_ = key_ == 0 ? ids_.next() : key_;
     std::vector<std::filesystem::path> paths;
     for (const RecordingRef& log : input_.logs) {
         paths.push_back(log.path);
     }
     job_.run<DriftOutcome>(
-        key_,
+        job_key,
         [paths = std::move(paths), settings = input_.settings](const JobControl& job) {
             return driftOf(paths, settings, job);
         },

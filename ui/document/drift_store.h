@@ -5,7 +5,6 @@
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
 #include "ui/document/message.h"
-#include "ui/values/ids.h"
 
 #include <QObject>
 #include <QString>
@@ -30,8 +29,7 @@ class DriftStore : public QObject {
     Q_OBJECT
 
 public:
-    DriftStore(BackgroundJobs& job, IdCounter& ids, UndoSteps& steps)
-        : job_(job), ids_(ids), steps_(steps) {}
+    DriftStore(BackgroundJobs& job, UndoSteps& steps) : job_(job), steps_(steps) {}
 
     const std::vector<RecordingRef>& logs() const { return input_.logs; }
     const DriftSettings& settings() const { return input_.settings; }
@@ -62,10 +60,8 @@ private:
     void take(Result<DriftOutcome>&& result);
 
     BackgroundJobs& job_;
-    IdCounter& ids_;
     UndoSteps& steps_;
     DriftInput input_;
-    int key_ = 0;  // of the job
     bool computing_ = false;
     std::shared_ptr<const DriftOutcome> outcome_;
     std::optional<Error> failure_;
