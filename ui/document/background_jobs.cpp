@@ -124,7 +124,7 @@ void BackgroundJobs::post(const Ticket& ticket, std::function<void()> act) {
 
 void BackgroundJobs::open(int key, const QString& path, const OpenOptions& options,
                           std::function<void(const QuickOverview&)> looked, Done<Recording> done) {
-    start<Recording>(
+    start<Result<Recording>>(
         openings_, {Kind::open, key},
         [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
             const JobControl job(ticket.stop, {}, stopwatch());
@@ -142,7 +142,7 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
 
 void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& options,
                              Done<RecordingPreview> done) {
-    start<RecordingPreview>(
+    start<Result<RecordingPreview>>(
         openings_, {Kind::preview, key},
         [path = toPath(path), options](const Ticket& ticket) {
             return preview_recording(path, options, JobControl(ticket.stop));
@@ -153,7 +153,7 @@ void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& op
 void BackgroundJobs::buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                                    Done<std::shared_ptr<const Envelope>> done) {
     using Picture = std::shared_ptr<const Envelope>;
-    start<Picture>(
+    start<Result<Picture>>(
         others_, {Kind::envelope, key},
         [this, source = recording.source, grown = std::move(grown)](const Ticket& ticket) {
             const EnvelopeSink show = [&](const Picture& picture) {
@@ -184,7 +184,7 @@ JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
 
 void BackgroundJobs::analyse(int key, const Recording& recording, const Settings& settings,
                              Done<AnalysisOutcome> done) {
-    start<AnalysisOutcome>(
+    start<Result<AnalysisOutcome>>(
         analyses_, {Kind::analysis, key},
         [this, key, recording, settings](const Ticket& ticket) {
             QMetaObject::invokeMethod(
@@ -199,7 +199,7 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
                                  const TimeRange& visible,
                                  std::function<void(AnalysisOutcome)> early,
                                  Done<AnalysisOutcome> done) {
-    start<AnalysisOutcome>(
+    start<Result<AnalysisOutcome>>(
         live_, {Kind::live, key},
         [this, key, recording, settings, visible, early = std::move(early)](const Ticket& ticket) {
             const EarlySink show = [&](Analysis some) {
@@ -212,7 +212,7 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
 }
 
 void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
-    start<SetResult>(
+    start<Result<SetResult>>(
         analyses_, {Kind::identification, key},
         [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SetResult> {
             QMetaObject::invokeMethod(
@@ -230,7 +230,7 @@ void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
 void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Settings& settings,
                                   const std::vector<std::int64_t>& lengths,
                                   Done<WindowSweep> done) {
-    start<WindowSweep>(
+    start<Result<WindowSweep>>(
         others_, {Kind::sweep, key},
         [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
             Result<WindowSweep> found =
@@ -243,16 +243,10 @@ void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Set
 
 void BackgroundJobs::write(int key, std::function<Status(const JobControl&)> work,
                            std::function<void(Status)> done) {
-    struct Nothing {};
-    start<Nothing>(
+    start<Status>(
         others_, {Kind::write, key},
-        [work = std::move(work)](const Ticket& ticket) -> Result<Nothing> {
-            const Status status = work(JobControl(ticket.stop));
-            return status ? Result<Nothing>(Nothing{}) : Result<Nothing>(status.error());
-        },
-        [done = std::move(done)](const Result<Nothing>& result) {
-            done(result ? Status() : Status(result.error()));
-        });
+        [work = std::move(work)](const Ticket& ticket) { return work(JobControl(ticket.stop)); },
+        std::move(done));
 }
 
 void BackgroundJobs::forget(int key) {

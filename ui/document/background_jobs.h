@@ -107,7 +107,7 @@ public:
     // Any other work: on values of its own, and it ends when its JobControl is cancelled.
     template <class Value>
     void run(Kind kind, int key, Work<Value> work, Done<Value> done) {
-        start<Value>(
+        start<Result<Value>>(
             others_, {kind, key},
             [work = std::move(work)](const Ticket& ticket) {
                 return work(JobControl(ticket.stop));
@@ -149,9 +149,10 @@ private:
         std::stop_token stop;
     };
 
-    template <class Value>
-    void start(QThreadPool& pool, TaskId id, std::function<Result<Value>(const Ticket&)> work,
-               Done<Value> done);
+    // Outcome: Result<Value>, or Status.
+    template <class Outcome>
+    void start(QThreadPool& pool, TaskId id, std::function<Outcome(const Ticket&)> work,
+               std::function<void(Outcome)> done);
     bool isStale(const Ticket& ticket) const;
     // Lets `act` run in the window's thread, unless the job is stale by then.
     void post(const Ticket& ticket, std::function<void()> act);
@@ -165,15 +166,15 @@ private:
     QThreadPool others_;
 };
 
-template <class Value>
-void BackgroundJobs::start(QThreadPool& pool, TaskId id,
-                           std::function<Result<Value>(const Ticket&)> work, Done<Value> done) {
+template <class Outcome>
+void BackgroundJobs::start(QThreadPool& pool, TaskId id, std::function<Outcome(const Ticket&)> work,
+                           std::function<void(Outcome)> done) {
     Task& task = tasks_[id];
     task.stop.request_stop();
     task = Task{++generation_, std::stop_source{}};
     pool.start([this, ticket = Ticket{id, task.generation, task.stop.get_token()},
                 work = std::move(work), done = std::move(done)] {
-        Result<Value> result = Error{ErrorCode::interrupted, {}, {}};
+        Outcome result = Error{ErrorCode::interrupted, {}, {}};
         try {
             if (!ticket.stop.stop_requested()) {
                 result = work(ticket);
