@@ -85,10 +85,10 @@ QString foundNear(const QDir& folder, const QString& path, const QString& sha256
 
 SessionKeeper::SessionKeeper(Document& document, TrackView& tracks, QObject* parent)
     : QObject(parent), document_(document), tracks_(tracks), backup_([this] { return backup(); }) {
-    connect(&document_, &Document::busyChanged, this, &SessionKeeper::finishWhenComputed,
-            Qt::QueuedConnection);
-    connect(&document_, &Document::recordingsChanged, this, &SessionKeeper::finishWhenComputed,
-            Qt::QueuedConnection);
+    for (const auto changed : {&Document::busyChanged, &Document::recordingsChanged}) {
+        connect(&document_, changed, this, &SessionKeeper::finishWhenComputed,
+                Qt::QueuedConnection);
+    }
     // Opening a recording without an analysis ends with this signal alone.
     connect(&document_, &Document::recordingChanged, this, &SessionKeeper::finishWhenComputed,
             Qt::QueuedConnection);
@@ -193,9 +193,8 @@ bool SessionKeeper::openSession(const QString& path) {
 void SessionKeeper::begin(Session session) {
     unknown_ = session.unknown;
     absent_.clear();
-    hashes_.clear();
+    stated_.clear();
     hashes_of_logs_.clear();
-    unknown_of_recordings_.clear();
     opening_ = true;
     keepAbsent(session);
     for (const RecordingRef& log : session.drift.logs) {
@@ -214,8 +213,7 @@ void SessionKeeper::begin(Session session) {
     }
     for (std::size_t k = 0; k < wanted_ids_.size(); ++k) {
         if (wanted_ids_[k] != RecordingId::none) {
-            hashes_[wanted_ids_[k]] = session.recordings[k].sha256;
-            unknown_of_recordings_[wanted_ids_[k]] = session.recordings[k].unknown;
+            stated_[wanted_ids_[k]] = session.recordings[k];
         }
     }
     wanted_ = std::move(session);
@@ -281,8 +279,7 @@ void SessionKeeper::supply(std::size_t absent, const QString& path) {
     ClosedRecording found = absent_[absent];
     found.path = path;
     const auto id = document_.restore(found);
-    hashes_[id] = found.sha256;
-    unknown_of_recordings_[id] = found.unknown;
+    stated_[id] = found;
     for (const SetId set_id : found.sets) {
         if (const RecordingSet* set = document_.sets().find(set_id)) {
             if (set->listed) {
@@ -337,15 +334,15 @@ void SessionKeeper::identifyAgain() {
 }
 
 void SessionKeeper::compareHash(RecordingId recording_id) {
-    const auto stated = hashes_.find(recording_id);
+    const auto stated = stated_.find(recording_id);
     const RecordingEntry* entry = document_.recording(recording_id);
-    if (stated == hashes_.end() || !entry || entry->sha256.isEmpty()) {
+    if (stated == stated_.end() || !entry || entry->sha256.isEmpty()) {
         return;
     }
-    if (!stated->second.isEmpty() && stated->second != entry->sha256) {
+    const QString sha256 = std::exchange(stated->second.sha256, {});
+    if (!sha256.isEmpty() && sha256 != entry->sha256) {
         warnOfOtherFile(entry->path);
     }
-    hashes_.erase(stated);
 }
 
 // When their drift is there, and with it what was read.
@@ -382,9 +379,8 @@ Session SessionKeeper::present() const {
         session.current_analysis = static_cast<int>(shown - document_.analyses().begin());
     }
     for (ClosedRecording& recording : session.recordings) {
-        if (const auto found = unknown_of_recordings_.find(recording.id);
-            found != unknown_of_recordings_.end()) {
-            recording.unknown = found->second;
+        if (const auto found = stated_.find(recording.id); found != stated_.end()) {
+            recording.unknown = found->second.unknown;
         }
     }
     for (const ClosedRecording& absent : absent_) {

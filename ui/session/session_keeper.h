@@ -96,8 +96,9 @@ private:
     // Recordings of the session that are not where they were, under negative ids. Without a path:
     // it is found.
     std::vector<ClosedRecording> absent_;
-    std::map<RecordingId, QString> hashes_;  // that the session states, by recording
-    std::map<std::filesystem::path, std::string> hashes_of_logs_;  // likewise, by path
+    // Recordings as the session states them; without a hash: it is compared.
+    std::map<RecordingId, ClosedRecording> stated_;
+    std::map<std::filesystem::path, std::string> hashes_of_logs_;  // that it states, by path
     // Until the session that is being opened is computed.
     bool opening_ = false;
     Session wanted_;
