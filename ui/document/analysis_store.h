@@ -19,7 +19,8 @@
 
 namespace vybeg::ui {
 
-// An analysis, its recording and settings, and what the background derived from its track.
+// An analysis, its recording and settings, and what the background derived from its track. Of a
+// closed recording without its outcome: what brings it back with its look and place.
 struct AnalysisEntry {
     ShownAnalysis shown;
     RecordingId recording_id = RecordingId::none;

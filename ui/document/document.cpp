@@ -15,6 +15,7 @@ Document::Document() {
     connect(&recordings_, &RecordingStore::envelopeGrown, this, &Document::envelopeGrown);
     connect(&recordings_, &RecordingStore::carrierChanged, this, &Document::carrierChanged);
     connect(&recordings_, &RecordingStore::reported, this, &Document::reported);
+    connect(&recordings_, &RecordingStore::importWanted, this, &Document::importWanted);
     connect(&settings_, &SettingsModel::toleranceChanged, this, &Document::settingsChanged);
     connect(&analyses_, &AnalysisStore::changed, this, &Document::analysesChanged);
     connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);

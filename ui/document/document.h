@@ -128,6 +128,7 @@ signals:
     void finished(AnalysisId analysis_id, double seconds);
     void opened(const QString& path);
     void foundLog(const QString& path);  // a file that was to be opened as a recording
+    void importWanted(const QString& path, const OpenOptions& options);  // with other options
     void logsWanted(SetId id, const QStringList& further);
     void reported(const Message& message);
     void settled(Topic topic);  // messages of this topic hold no more

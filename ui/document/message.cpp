@@ -8,11 +8,11 @@
 namespace vybeg::ui {
 
 Message errorMessage(const Error& error, Topic topic) {
-    return {MessageLevel::error, [error] { return errorText(error); }, {}, {}, topic};
+    return {MessageLevel::error, [error] { return errorText(error); }, topic};
 }
 
 Message warningMessage(std::function<QString()> text) {
-    return {MessageLevel::warning, std::move(text), {}, {}};
+    return {MessageLevel::warning, std::move(text)};
 }
 
 std::vector<Message> warningMessages(const QString& file,

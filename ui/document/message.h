@@ -2,7 +2,6 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
-#include "core/recording/samples/open_options.h"
 
 #include <QString>
 
@@ -23,9 +22,6 @@ enum class Topic : std::uint8_t { none, live, drift };
 struct Message {
     MessageLevel severity = MessageLevel::info;
     std::function<QString()> text;
-    // A file that opens with other import options (rate, channels, raw layout).
-    QString reopen_path;
-    OpenOptions reopen_options;
     Topic topic = Topic::none;
     // A button of its own, with its action.
     std::function<QString()> button = {};

@@ -6,6 +6,7 @@
 #include "ui/values/recording_set.h"
 #include "ui/words/error_text.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -173,8 +174,12 @@ void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     if (!result) {
         Message message = errorMessage(result.error());
         if (isFixableByImportOptions(result.error().code)) {
-            message.reopen_path = loaded.path;
-            message.reopen_options = loaded.options;
+            message.button = [] {
+                return QCoreApplication::translate("vybeg::ui::MessageBar", "Import…");
+            };
+            message.press = [this, path = loaded.path, options = loaded.options] {
+                emit importWanted(path, options);
+            };
         }
         emit openFailed(id, message);
         return;

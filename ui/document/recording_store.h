@@ -81,6 +81,8 @@ signals:
     void openFailed(RecordingId id, const Message& message);
     // A log in place of a recording; `whole_angle`: of an angle under control.
     void foundLog(RecordingId id, const QString& path, bool whole_angle);
+    // A file that opens with other import options (rate, channels, raw layout).
+    void importWanted(const QString& path, const OpenOptions& options);
     void reported(const Message& message);
 
 private:

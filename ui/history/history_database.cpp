@@ -241,7 +241,7 @@ void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date
                                               QString::fromStdString(replaced->set))
                                    : StoreWords::tr("The result of %1 is in %2.").arg(gyro, name);
                     };
-                    document.report({MessageLevel::info, text, {}, {}});
+                    document.report({MessageLevel::info, text});
                     added();
                 });
 }

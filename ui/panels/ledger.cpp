@@ -105,7 +105,7 @@ void Ledger::addActions() {
         add(Qt::Key_Insert, [this] { document_.sets().addToCurrent(selectedRecordings()); });
     reopen_ = add({}, [this] {
         const RecordingEntry& entry = *document_.currentRecording();
-        emit reopenWanted(entry.path, entry.options);
+        emit document_.importWanted(entry.path, entry.options);
     });
     copy_facts_ = add({}, [this] {
         QGuiApplication::clipboard()->setText(recordingFacts(*document_.currentRecording()));

@@ -57,7 +57,6 @@ signals:
     void currentAnalysisChanged(AnalysisId id);
     // Trends of the chosen analysis, to draw over the plots; empty without both cursors.
     void trendsChanged(const std::vector<TrendCurve>& trends);
-    void reopenWanted(const QString& path, const OpenOptions& options);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

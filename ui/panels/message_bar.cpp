@@ -62,15 +62,11 @@ void MessageBar::add(const Message& message) {
     row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.text->setForegroundRole(QPalette::ToolTipText);
     auto* line = fill(new QHBoxLayout(frame), {8, 3, 4, 3}, {icon, {row.text, 1}});
-    if (!message.reopen_path.isEmpty() || message.button) {
+    if (message.button) {
         row.action = new QPushButton(frame);
         connect(row.action, &QPushButton::clicked, this, [this, frame, message] {
             remove(frame);
-            if (message.reopen_path.isEmpty()) {
-                message.press();
-            } else {
-                emit reopenWanted(message.reopen_path, message.reopen_options);
-            }
+            message.press();
         });
         line->addWidget(row.action);
     }
@@ -172,7 +168,7 @@ void MessageBar::nameRow(const Row& row) {
     row.close->setToolTip(tr("Close this message"));
     row.close->setAccessibleName(tr("Close this message"));
     if (row.action) {
-        row.action->setText(row.message.button ? row.message.button() : tr("Import…"));
+        row.action->setText(row.message.button());
     }
 }
 

@@ -28,10 +28,6 @@ public:
     // Displayed texts, newest first, without those that wait.
     QStringList texts() const;
 
-signals:
-    // The user wants to open a file again with other options.
-    void reopenWanted(const QString& path, const OpenOptions& options);
-
 private:
     struct Row {
         Message message;

@@ -126,7 +126,7 @@ void SessionKeeper::warn(std::function<QString()> text) {
 }
 
 void SessionKeeper::fail(std::function<QString()> text) {
-    document_.report({MessageLevel::error, std::move(text), {}, {}});
+    document_.report({MessageLevel::error, std::move(text)});
 }
 
 bool SessionKeeper::openSession(const QString& path) {

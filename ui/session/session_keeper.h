@@ -87,8 +87,6 @@ private:
     SessionBackup backup_;
     QString path_;
     QJsonObject unknown_;
-    // As Session::unknown, by the recording's id.
-    std::map<RecordingId, QJsonObject> unknown_of_recordings_;
     QByteArray in_file_;  // digest of the file as it was opened or saved here
     AnalysisId current_analysis_ = AnalysisId::none;
     std::function<void(SessionView&)> add_to_view_ = [](SessionView&) {};

@@ -93,6 +93,7 @@ FileCommands::FileCommands(Document& document, SessionKeeper& session, TrackView
     connect(&document_, &Document::foundLog, this,
             [this](const QString& path) { openLogs({path}); });
     connect(&document_, &Document::logsWanted, this, &FileCommands::editLogs);
+    connect(&document_, &Document::importWanted, this, &FileCommands::openImport);
     connect(&session_, &SessionKeeper::fileWanted, this,
             [this](std::size_t absent, const QString& name) {
                 ask_.file(FileQuestions::tr("Where is %1?").arg(name), {},
@@ -322,8 +323,7 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
 
 void FileCommands::reportSaved(const Status& status, const QString& path) {
     if (status) {
-        document_.report(
-            {MessageLevel::info, [path] { return tr("Written: %1").arg(path); }, {}, {}});
+        document_.report({MessageLevel::info, [path] { return tr("Written: %1").arg(path); }});
     } else {
         document_.report(errorMessage(status.error()));
     }

@@ -283,7 +283,7 @@ private slots:
         };
         const auto before = size();
         QCOMPARE(before.first, before.second);
-        window_->document().report({MessageLevel::warning, [] { return QString("odd"); }, {}, {}});
+        window_->document().report({MessageLevel::warning, [] { return QString("odd"); }});
         QVERIFY(the<MessageBar>().isVisible());
         window_->resize(1000, 700);
         QVERIFY(QTest::qWaitFor([&] { return the<TrackView>().width() < 800; }));

@@ -3,7 +3,6 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/import/import_dialog.h"
-#include "ui/panels/ledger.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
 
@@ -178,7 +177,7 @@ private slots:
             delete text_import;
             text_import = new ImportDialog(job, table, as_text, &window);
             text_import->show();
-            emit window.findChild<Ledger*>()->reopenWanted(home_.path("demo.wav"), as_raw);
+            emit window.document().importWanted(home_.path("demo.wav"), as_raw);
             const QList<ImportDialog*> imports = window.findChildren<ImportDialog*>();
             QCOMPARE(imports.size(), 2);
             for (const ImportDialog* dialog : imports) {

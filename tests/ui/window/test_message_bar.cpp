@@ -20,7 +20,7 @@ class TestMessageBar : public QObject {
     GuiTestHome home_;  // the settings of no other program
 
     static Message told(MessageLevel severity, const char* text) {
-        return {severity, [text] { return QString(text); }, {}, {}};
+        return {severity, [text] { return QString(text); }};
     }
 
     // That of the newest message.
