@@ -12,10 +12,12 @@
 #include "ui/residuals/residuals_page.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/resonator/set_panel.h"
+#include "ui/session/session.h"
 #include "ui/session/session_keeper.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
 #include "ui/sweep/sweep_page.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
@@ -26,12 +28,17 @@
 #include "ui/window/window_menus.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QJsonDocument>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
+#include <QSettings>
 #include <QStatusBar>
 #include <QStringList>
 #include <QTabBar>
@@ -43,6 +50,24 @@
 namespace vybeg::ui {
 
 namespace {
+
+const QString theme_key = QStringLiteral("theme");
+const QString live_key = QStringLiteral("live");
+const QString language_key = QStringLiteral("language");
+const QString view_key = QStringLiteral("window/view");
+const QString geometry_key = QStringLiteral("window/geometry");
+const QString sidebar_key = QStringLiteral("window/sidebar");
+
+// Units and plots of the last window; degrees at the first start.
+SessionView storedView() {
+    const QByteArray stored = QSettings().value(view_key).toByteArray();
+    if (stored.isEmpty()) {
+        SessionView first;
+        first.units.angle = AngleUnit::degrees;
+        return first;
+    }
+    return viewFromJson(QJsonDocument::fromJson(stored).object());
+}
 
 // "session.vybeg — HRG-17 — run.wav — Vybeg", as far as there are these. `session`: its path.
 QString titleOf(const Document& document, const QString& session) {
@@ -264,14 +289,12 @@ void MainWindow::connectPanels() {
     connect(welcome_, &WelcomePage::openWanted, action(Command::open), &QAction::trigger);
     connect(welcome_, &WelcomePage::recentChosen, this, open);
     connect(welcome_, &WelcomePage::demonstrationWanted, files_, &FileCommands::openDemonstration);
-    connect(messages_, &MessageBar::reopenWanted, files_, &FileCommands::openImport);
     connect(menus_->recentFiles(), &RecentFiles::chosen, this, open);
     connect(menus_, &WindowMenus::unitsChosen, this, &MainWindow::setUnits);
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
     connect(menus_, &WindowMenus::languageChosen, this, &MainWindow::setLanguage);
     connect(&overview_->flag(), &FindingsFlag::placeChosen, this, &MainWindow::goToEvent);
-    connect(ledger_, &Ledger::reopenWanted, files_, &FileCommands::openImport);
     connect(settings_, &SettingsPanel::visibleRangeWanted, overview_,
             &Overview::analyseVisibleRange);
     connect(settings_, &SettingsPanel::wanted, this, [this] {
@@ -421,6 +444,88 @@ void MainWindow::showHelp() {
 
 QString MainWindow::diagnosticsText() const {
     return diagnosticsOf(document_, language_.code(), theme_.dark, devicePixelRatioF());
+}
+
+ThemeMode MainWindow::storedThemeMode() {
+    return static_cast<ThemeMode>(QSettings().value(theme_key, 0).toInt());
+}
+
+void MainWindow::restoreState() {
+    const QSettings settings;
+    theme_mode_ = storedThemeMode();
+    applyLook();
+    document_.setLive(settings.value(live_key, true).toBool());
+    setLanguage(settings.value(language_key, Language::ofTheSystem()).toString());
+    const SessionView view = storedView();
+    setUnits(view.units);
+    if (!view.variables.empty()) {
+        tracks_->setShownVariables(view.variables);
+    }
+    // No larger than the screen leaves room for, its own frame counted.
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize() - QSize(0, 40)));
+    restoreGeometry(settings.value(geometry_key).toByteArray());
+    sidebar_wanted_ = settings.value(sidebar_key, true).toBool();
+    ledger_->setVariables(tracks_->shownVariables());
+    showPanels();
+}
+
+void MainWindow::saveState() {
+    QSettings settings;
+    SessionView view;
+    view.units = tracks_->units();
+    view.variables = tracks_->shownVariables();
+    settings.setValue(view_key, QJsonDocument(viewToJson(view)).toJson(QJsonDocument::Compact));
+    settings.setValue(geometry_key, saveGeometry());
+    settings.setValue(sidebar_key, sidebar_wanted_);
+    settings.setValue(live_key, document_.live());
+}
+
+MainWindow::~MainWindow() {
+    dropTyped(*this);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    enterTyped(*this);
+    if (!leaving_ && (session_->isSaving() || session_->isModified())) {
+        event->ignore();
+        files_->askToSaveAndThen([this] {
+            leaving_ = true;
+            close();
+        });
+        return;
+    }
+    saveState();
+    session_->end();
+    batch_->leave();
+    document_.cancel();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    language_.use(code);
+    QSettings().setValue(language_key, language_.code());
+    menus_->setLanguage(language_.code());
+    if (help_) {
+        help_->setLanguage(language_.code());
+    }
+}
+
+void MainWindow::setThemeMode(ThemeMode mode) {
+    theme_mode_ = mode;
+    QSettings().setValue(theme_key, static_cast<int>(mode));
+    applyLook();
+}
+
+void MainWindow::applyLook() {
+    theme_ = applyTheme(*qApp, theme_mode_);
+    commands_->setIcons(theme_.palette);
+}
+
+void MainWindow::retranslate() {
+    commands_->retranslate();
+    menus_->retranslate();
+    tools_->setAccessibleName(tr("Tools"));
+    showCurrentRecording();  // names pages
 }
 
 }  // namespace vybeg::ui

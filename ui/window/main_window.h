@@ -67,7 +67,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    // main_window.cpp
+    friend struct WindowCommands;
+
     void buildPages();
     void layOut();
     void buildTopRow();
@@ -86,11 +87,6 @@ private:
     // Of the page that is shown.
     FigureSource figures() const;
     void showHelp();
-
-    // main_window_commands.cpp
-    friend struct WindowCommands;
-
-    // main_window_state.cpp
     static ThemeMode storedThemeMode();
     void restoreState();
     void saveState();
