@@ -1,7 +1,6 @@
 #include "ui/report/report_document.h"
 
 #include "core/output/output_file.h"
-#include "ui/report/report_sections.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/words/display_units.h"
@@ -38,6 +37,11 @@ namespace {
 
 QString madeText(const QString& program, QDate made) {
     return QStringLiteral("%1, %2").arg(dateText(made.toString(Qt::ISODate)), program);
+}
+
+// Stands in the table of all sets for the page of a chapter, which the layout tells.
+QString chapterMark(int number) {
+    return QStringLiteral("⟦%1⟧").arg(number);
 }
 
 // "Set, gyro" where they differ.
@@ -384,7 +388,6 @@ ReportText framedReport(const QString& report, const QString& about, const QStri
     ReportText text;
     text.title = QStringLiteral("%1: %2").arg(report, about);
     text.program = program;
-    text.head = text.title;
     text.foot = ReportWords::tr("Page %1 of %2");
     text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
     return text;
@@ -464,10 +467,6 @@ ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& 
     return text;
 }
 
-QString chapterMark(int number) {
-    return QStringLiteral("⟦%1⟧").arg(number);
-}
-
 QByteArray reportPdf(const ReportText& text, const std::vector<ReportFigure>& figures) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -516,7 +515,7 @@ QByteArray reportPdf(const ReportText& text, const std::vector<ReportFigure>& fi
         painter.setPen(Qt::darkGray);
         const QRectF head(left, top - head_height * scale, content.width(), 24 * scale);
         painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(text.head, Qt::ElideMiddle,
+                         painter.fontMetrics().elidedText(text.title, Qt::ElideMiddle,
                                                           static_cast<int>(head.width())));
         const QRectF foot(left, top + content.height() + (foot_height - 24) * scale,
                           content.width(), 24 * scale);

@@ -20,10 +20,9 @@ namespace vybeg::ui {
 // A report as text in the interface's language; figures stand in it by their names
 // (report_parts.h).
 struct ReportText {
-    QString title;   // of the document
+    QString title;   // of the document, and the head of each page
     QString author;  // empty: not told
     QString program;
-    QString head;  // of each page
     QString foot;  // of each page, with %1 for its number and %2 for that of all
     QString html;
 };
@@ -32,7 +31,7 @@ struct ReportText {
 // twice is the same bytes.
 QDate reportDay();
 
-// Title, head and foot of each page; its text begins with the title. `report`: what it is.
+// Head and foot of each page; its text begins with the title. `report`: what it is.
 ReportText framedReport(const QString& report, const QString& about, const QString& program);
 
 // Of one set or recording. `program`: name and version. `made`: reportDay().
@@ -51,9 +50,6 @@ ReportChapter chapterOf(const ReportContent& content);
 // Of several sets: a table of all, then a chapter for each. `about`: what they are.
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
                         const DisplayUnits& units, const QString& program, QDate made);
-
-// Stands in the table for the page of a chapter, which the layout tells.
-QString chapterMark(int number);
 
 // A report as a PDF of A4 pages with head and page numbers: figures as vectors, text as text, fonts
 // embedded, title and author in its metadata. Any thread may call it.

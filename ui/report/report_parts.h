@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/analysis/identify.h"
 #include "ui/plots/plot_file.h"
 #include "ui/report/report_content.h"
 #include "ui/widgets/quantity_table.h"
@@ -72,5 +73,22 @@ std::vector<ReportFigure> reportFigures(const ReportContent& content);
 ReportFigure drawn(ReportFigure figure);
 // All figures of a report in one go.
 std::vector<ReportFigure> drawnFigures(const ReportContent& content);
+
+// Why a content has no identification.
+QString absenceText(const ReportContent& content);
+
+// What a report tells of one set or recording.
+
+// `made`: when and by which program, a last row; empty: none.
+QString titleBlock(const ReportTitle& title, const QString& made);
+
+// From the recordings to the warnings; figures stand in it by their names.
+QString reportSections(const ReportContent& content);
+
+// The uncertainty budget as a table: a row for each given parameter; columns: the statistical
+// part, the tolerances that have a part in any of them, u and the expanded uncertainty. Empty where
+// no parameter is given.
+QStringList budgetHeaders(const Identification& found);
+std::vector<QuantityRow> budgetRows(const Identification& found, const DisplayUnits& units);
 
 }  // namespace vybeg::ui

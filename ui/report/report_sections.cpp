@@ -1,5 +1,3 @@
-#include "ui/report/report_sections.h"
-
 #include "core/output/batch_csv.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/drift/drift_text.h"

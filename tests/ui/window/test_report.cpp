@@ -9,7 +9,6 @@
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
 #include "ui/report/report_parts.h"
-#include "ui/report/report_sections.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
