@@ -186,31 +186,24 @@ void WindowMenus::addVariables(QMenu* view) {
 }
 
 void WindowMenus::addUnits(QMenu* view) {
-    const auto change = [this](auto&& set) {
-        return [this, set](int unit) {
-            DisplayUnits units = tracks_.units();
-            set(units, unit);
-            emit unitsChosen(units);
-        };
+    const auto add = [this, view]<class Unit>(const char* title, Unit DisplayUnits::*member,
+                                              const std::vector<const char*>& texts) {
+        addChoice(
+            view, title, texts,
+            [this, member] { return static_cast<int>(tracks_.units().*member); },
+            [this, member](int unit) {
+                DisplayUnits units = tracks_.units();
+                units.*member = static_cast<Unit>(unit);
+                emit unitsChosen(units);
+            });
     };
-    addChoice(
-        view, QT_TR_NOOP("Fre&quency in"),
+    add(QT_TR_NOOP("Fre&quency in"), &DisplayUnits::frequency,
         {QT_TR_NOOP("Hz"), QT_TR_NOOP("rad/s"), QT_TR_NOOP("Deviation from f₀, Hz"),
-         QT_TR_NOOP("Deviation from f₀, ppm")},
-        [this] { return static_cast<int>(tracks_.units().frequency); },
-        change([](DisplayUnits& units, int unit) {
-            units.frequency = static_cast<FrequencyUnit>(unit);
-        }));
-    addChoice(
-        view, QT_TR_NOOP("&Angles in"), {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")},
-        [this] { return static_cast<int>(tracks_.units().angle); },
-        change([](DisplayUnits& units, int unit) { units.angle = static_cast<AngleUnit>(unit); }));
-    addChoice(
-        view, QT_TR_NOOP("A&mplitudes in"), {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")},
-        [this] { return static_cast<int>(tracks_.units().amplitude); },
-        change([](DisplayUnits& units, int unit) {
-            units.amplitude = static_cast<AmplitudeUnit>(unit);
-        }));
+         QT_TR_NOOP("Deviation from f₀, ppm")});
+    add(QT_TR_NOOP("&Angles in"), &DisplayUnits::angle,
+        {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")});
+    add(QT_TR_NOOP("A&mplitudes in"), &DisplayUnits::amplitude,
+        {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")});
 }
 
 void WindowMenus::addLanguages(QMenu* view) {
