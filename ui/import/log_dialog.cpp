@@ -463,43 +463,37 @@ QString LogDialog::lacking(std::span<const RecordingRef> found) const {
                    ? reason
                    : tr("%1 Delete removes it from the list of logs.").arg(reason);
     }
-    if (kind_->currentIndex() == 0) {
-        return tr("Its columns are not known by their names: choose what they are.");
-    }
-    for (const NumberField* field : {f_ref_, bandwidth_, rate_, from_}) {
-        if (!field->isValid()) {
-            return tr("A number is not possible: see the red field.");
+    const PhasorChoice how = choice().phasors;
+    const bool phasors = isOfPhasors();
+    const bool numbers =
+        std::ranges::all_of(std::array{f_ref_, bandwidth_, rate_, from_},
+                            [](const NumberField* field) { return field->isValid(); });
+    const auto of_one_channel = files_->ofOneChannel();
+    const std::pair<bool, QString> all[]{
+        {kind_->currentIndex() == 0,
+         tr("Its columns are not known by their names: choose what they are.")},
+        {!numbers, tr("A number is not possible: see the red field.")},
+        {files_->any(&LogLook::needs_rate) && !options().rate_hz,
+         tr("The file has no times: give its rows per second.")},
+        {files_->any(&LogLook::needs_angle_unit) && angle_unit_->currentIndex() == 0,
+         tr("The file does not tell the unit of its angles: choose it.")},
+        {phasors && files_->any(&LogLook::needs_f_ref) && how.f_ref_hz == 0,
+         tr("The frequency of the reference is not in the file: give it.")},
+        {phasors && how.y_sign == 0, tr("No data show the sign of Y: choose it.")},
+        {phasors && how.peak_per_unit == 0,
+         tr("No data show whether amplitudes are peak or rms values: choose it.")},
+        {phasors && how.filter.order > 0 && how.filter.bandwidth_hz == 0,
+         tr("A filter has a bandwidth: give it, or choose none.")},
+        {found.empty() && of_one_channel == 1,
+         tr("The file has one channel: choose the file of channel D.")},
+        {found.empty() && of_one_channel == 2,
+         tr("Each file has one channel: choose the one of channel D.")},
+        {found.empty(), tr("Each file has one channel, and not each has its partner among them by "
+                           "its name: open the two files of one log at a time.")}};
+    for (const auto& [lacks, text] : all) {
+        if (lacks) {
+            return text;
         }
-    }
-    const LogChoice told = choice();
-    if (files_->any(&LogLook::needs_rate) && !options().rate_hz) {
-        return tr("The file has no times: give its rows per second.");
-    }
-    if (files_->any(&LogLook::needs_angle_unit) && told.rad_per_angle_unit == 0) {
-        return tr("The file does not tell the unit of its angles: choose it.");
-    }
-    if (isOfPhasors()) {
-        if (files_->any(&LogLook::needs_f_ref) && told.phasors.f_ref_hz == 0) {
-            return tr("The frequency of the reference is not in the file: give it.");
-        }
-        if (told.phasors.y_sign == 0) {
-            return tr("No data show the sign of Y: choose it.");
-        }
-        if (told.phasors.peak_per_unit == 0) {
-            return tr("No data show whether amplitudes are peak or rms values: choose it.");
-        }
-        if (told.phasors.filter.order > 0 && told.phasors.filter.bandwidth_hz == 0) {
-            return tr("A filter has a bandwidth: give it, or choose none.");
-        }
-    }
-    if (found.empty()) {
-        return files_->ofOneChannel() == 1
-                   ? tr("The file has one channel: choose the file of channel D.")
-               : files_->ofOneChannel() == 2
-                   ? tr("Each file has one channel: choose the one of channel D.")
-                   : tr("Each file has one channel, and not each has its partner "
-                        "among them by its name: open the two files of one log at "
-                        "a time.");
     }
     for (const RecordingRef& log : found) {
         const QString other = QString::fromStdString(log.open.channel_d_file);
