@@ -100,7 +100,6 @@ ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, 
     shown.recording = QString::fromStdString(recording.path.filename().string());
     shown.color = style.color;
     shown.rate_hz = recording.rate_hz;
-    shown.seconds_taken = analysis.timing.estimate_s;
     shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
     return shown;
 }

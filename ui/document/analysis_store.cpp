@@ -42,7 +42,6 @@ void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome
     entry.requested = requested;
     entry.summary = outcome.summary;
     entry.events = std::move(outcome.events);
-    entry.shown.seconds_taken = outcome.analysis->timing.estimate_s;
     entry.shown.analysis = std::move(outcome.analysis);
     entry.shown.curves = std::move(outcome.curves);
 }

@@ -74,13 +74,14 @@ QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
     const Analysis& analysis = *entry.shown.analysis;
     const std::size_t count = entry.summary.windows;
     QStringList facts{entry.shown.name, algorithmText(analysis.settings.algorithm)};
-    facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
-                                    .arg(countLabel(static_cast<std::int64_t>(count)),
-                                         countLabel(analysis.plan.count))
-                              : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
-                                             static_cast<int>(count))
-                                    .arg(entry.summary.flagged)
-                                    .arg(locale.toString(1e3 * entry.shown.seconds_taken, 'g', 3)));
+    facts << (entry.partial()
+                  ? RowWords::tr("%1 of %2 windows")
+                        .arg(countLabel(static_cast<std::int64_t>(count)),
+                             countLabel(analysis.plan.count))
+                  : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
+                                 static_cast<int>(count))
+                        .arg(entry.summary.flagged)
+                        .arg(locale.toString(1e3 * analysis.timing.estimate_s, 'g', 3)));
     if (live) {
         facts << RowWords::tr(
             "Follows the settings while Live is on; Keep keeps an analysis as it is");

@@ -25,8 +25,7 @@ struct ShownAnalysis {
     QString unit;       // of the channels; empty: not known
     bool visible = true;
     double rate_hz = 0;
-    double recorded_s = 0;     // length of the recording; 0: not known
-    double seconds_taken = 0;  // estimators only
+    double recorded_s = 0;  // length of the recording; 0: not known
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty
 
