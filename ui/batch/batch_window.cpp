@@ -264,7 +264,7 @@ void BatchWindow::askAndStart() {
 }
 
 void BatchWindow::start() {
-    if (running_) {
+    if (running()) {
         return;
     }
     BatchRequest request = form_->request();
@@ -279,7 +279,6 @@ void BatchWindow::start() {
     message_->begin();
     model_.begin(std::make_shared<const MeasurementList>());  // the table of the batch before goes
     progress_.begin(0);
-    running_ = true;
     batch_stop_ = std::stop_source();
     constexpr int only_one = 0;
     job_.write(
@@ -292,7 +291,7 @@ void BatchWindow::start() {
 }
 
 void BatchWindow::stop() {
-    if (running_) {
+    if (running()) {
         stopping_ = true;
         batch_stop_.request_stop();
         refresh();
@@ -334,7 +333,6 @@ void BatchWindow::whenFinished(const FinishedRow& row) {
 }
 
 void BatchWindow::whenEnded(const Status& status) {
-    running_ = false;
     tick_.stop();
     const auto kept = [] { return tr("What is computed is kept: Start goes on from here."); };
     if (status) {
@@ -368,9 +366,9 @@ void BatchWindow::showProgress() {
         parts << tr("%n without a result", nullptr, model_.failed());
     }
     const auto left = progress_.secondsLeft();
-    if (running_ && stopping_) {
+    if (running() && stopping_) {
         parts << tr("stopping…");
-    } else if (running_ && left) {
+    } else if (running() && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
     told_->setText(parts.join(QStringLiteral("; ")));
@@ -424,11 +422,10 @@ void BatchWindow::showDetails() {
 }
 
 void BatchWindow::refresh() {
-    const bool running = running_;
-    form_->setEnabled(!running);
-    start_->setEnabled(!running && form_->isComplete());
-    stop_->setEnabled(running && !stopping_);
-    bar_->setVisible(running);
+    form_->setEnabled(!running());
+    start_->setEnabled(!running() && form_->isComplete());
+    stop_->setEnabled(running() && !stopping_);
+    bar_->setVisible(running());
     showProgress();
 }
 
@@ -459,7 +456,7 @@ void BatchWindow::copyRows() const {
 }
 
 void BatchWindow::closeEvent(QCloseEvent* event) {
-    if (!running_ || leaving_) {  // then the batch stops where this object goes
+    if (!running() || leaving_) {  // then the batch stops where this object goes
         QWidget::closeEvent(event);
         return;
     }

@@ -87,7 +87,7 @@ public:
     // Settings for what the list leaves open, asked for when the engineer wants those of the panel.
     void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
     void setUnits(const DisplayUnits& units);
-    bool running() const { return running_; }
+    bool running() const { return job_.busy(); }
     // Of the program: stops what is running, and closes without a question.
     void leave();
 
@@ -122,7 +122,6 @@ private:
     void retranslate();
 
     std::function<IdentifySettings()> panel_;
-    bool running_ = false;
     std::stop_source batch_stop_;
     bool leaving_ = false;
     bool stopping_ = false;

@@ -85,8 +85,7 @@ void DriftStore::restore(DriftInput input) {
 void DriftStore::compute() {
     outcome_.reset();
     failure_.reset();
-    computing_ = !input_.logs.empty();
-    if (!computing_) {
+    if (input_.logs.empty()) {
         job_.forget(job_key);
         emit settled(Topic::drift);
         return;
@@ -104,7 +103,6 @@ void DriftStore::compute() {
 }
 
 void DriftStore::take(Result<DriftOutcome>&& result) {
-    computing_ = false;
     if (result) {
         for (std::size_t k = 0; k < input_.logs.size(); ++k) {
             input_.logs[k].sha256 = result->logs[k].sha256;

@@ -40,7 +40,7 @@ public:
     // No step: of a session.
     void startWith(DriftInput input);
 
-    bool computing() const { return computing_; }
+    bool computing() const { return !input_.logs.empty() && !outcome_ && !failure_; }
     // Of the present logs and settings; null where it is computed yet or there is none.
     // Of its logs name and SHA-256 alone.
     std::shared_ptr<const DriftOutcome> outcome() const { return outcome_; }
@@ -62,7 +62,6 @@ private:
     BackgroundJobs& job_;
     UndoSteps& steps_;
     DriftInput input_;
-    bool computing_ = false;
     std::shared_ptr<const DriftOutcome> outcome_;
     std::optional<Error> failure_;
 };
