@@ -60,15 +60,13 @@ public:
         settings_.startWith(settings, tolerance);
     }
     // Steps of undo: settings, tolerances, analyses, sets, closed recordings, whole-angle logs.
-    UndoSteps& undoSteps() { return steps_; }
-    const UndoSteps& undoSteps() const { return steps_; }
-    QUndoStack& undoStack() { return steps_.stack(); }
-    const QUndoStack& undoStack() const { return steps_.stack(); }
+    UndoSteps& undoStack() { return steps_; }
+    const UndoSteps& undoStack() const { return steps_; }
 
     // Analyses, in the background.
     void analyse();
-    void analyseAgain(AnalysisId analysis_id);
-    void analyseSnapped(AnalysisId analysis_id);  // with the window moved to whole half-periods
+    // `snapped`: with the window moved to whole half-periods.
+    void analyseAgain(AnalysisId analysis_id, bool snapped = false);
     // Live: each recording has an analysis that follows the settings, with its name and colour, as
     // soon as they change while the recording is the current one: first the visible range, then the
     // rest; the newest settings win. Analyses of analyse() stay as they are. After switching off,

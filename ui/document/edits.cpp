@@ -42,11 +42,11 @@ private:
 }  // namespace
 
 void UndoSteps::add(Words words, Act undo, Act redo, int gesture) {
-    stack_.push(new Step(std::move(words), std::move(undo), std::move(redo), gesture));
+    push(new Step(std::move(words), std::move(undo), std::move(redo), gesture));
 }
 
-QString UndoSteps::wordsAt(int index) const {
-    const auto* step = static_cast<const Step*>(stack_.command(index));
+QString UndoSteps::wordsAt(int place) const {
+    const auto* step = static_cast<const Step*>(command(place));
     return step ? step->words() : QString();
 }
 
@@ -68,7 +68,7 @@ void SettingsModel::setTolerance(const Tolerance& tolerance) {
 }
 
 void SettingsModel::startWith(const Settings& settings, const Tolerance& tolerance) {
-    steps_.stack().clear();
+    steps_.clear();
     apply(tolerance);
     apply(settings);
 }

@@ -15,15 +15,13 @@
 namespace vybeg::ui {
 
 // The steps of undo and redo of a document, each with words for the menu in the present language.
-class UndoSteps {
+class UndoSteps : public QUndoStack {
 public:
     using Words = std::function<QString()>;
     using Act = std::function<void()>;
 
-    UndoSteps() { stack_.setUndoLimit(200); }
+    UndoSteps() { setUndoLimit(200); }
 
-    QUndoStack& stack() { return stack_; }
-    const QUndoStack& stack() const { return stack_; }
     // A step that is done already. Steps in a row with the same gesture (>= 0), a drag, are one.
     void add(Words words, Act undo, Act redo, int gesture = -1);
     // A step that sets a value, and sets it.
@@ -35,13 +33,11 @@ public:
         set(after);
     }
     // What would be undone and redone; empty: nothing.
-    QString undoWords() const { return wordsAt(stack_.index() - 1); }
-    QString redoWords() const { return wordsAt(stack_.index()); }
+    QString undoWords() const { return wordsAt(index() - 1); }
+    QString redoWords() const { return wordsAt(index()); }
 
 private:
-    QString wordsAt(int index) const;
-
-    QUndoStack stack_;
+    QString wordsAt(int place) const;
 };
 
 // The settings and tolerances that are being edited, with undo and redo.

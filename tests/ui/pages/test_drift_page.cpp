@@ -304,8 +304,8 @@ private slots:
         QVERIFY2(messages().isEmpty(), qPrintable(messages()));
         QCOMPARE(list.count(), 1);
 
-        QVERIFY2(document().undoSteps().undoWords().contains("bad.csv"),
-                 qPrintable(document().undoSteps().undoWords()));
+        QVERIFY2(document().undoStack().undoWords().contains("bad.csv"),
+                 qPrintable(document().undoStack().undoWords()));
         window_->action(Command::undo)->trigger();
         QCOMPARE(list.count(), 2);
         wait();
