@@ -72,17 +72,6 @@ RecordingId Document::restore(const ClosedRecording& recording) {
     return id;
 }
 
-void Document::restoreAnalyses(RecordingId id, const std::vector<AnalysisEntry>& analyses) {
-    for (const AnalysisEntry& analysis : analyses) {
-        analyses_.expect(id, analysis);
-        if (analysis.live) {
-            follow(id, analysis.requested);
-        } else {
-            ask({.recording_id = id, .settings = analysis.requested, .restored = true});
-        }
-    }
-}
-
 ClosedRecording Document::whatCloses(RecordingId id) {
     analyses_.keepPlaces();
     ClosedRecording closed = asClosed(*recordings_.find(id), analyses());
@@ -205,7 +194,14 @@ void Document::whenOpened(RecordingId id) {
     emit opened(recordings_.find(id)->path);
     if (const auto restored = restored_.extract(id)) {
         recordings_.searchCarrier(id);
-        restoreAnalyses(id, restored.mapped());
+        for (const AnalysisEntry& analysis : restored.mapped()) {
+            analyses_.expect(id, analysis);
+            if (analysis.live) {
+                follow(id, analysis.requested);
+            } else {
+                ask({.recording_id = id, .settings = analysis.requested, .restored = true});
+            }
+        }
     } else if (live()) {
         follow(id, settings());  // finds the carrier, too
     } else {
@@ -237,24 +233,14 @@ void Document::analyse() {
     }
 }
 
-void Document::analyseAgain(AnalysisId analysis_id) {
+void Document::analyseAgain(AnalysisId analysis_id, bool snapped) {
     if (const AnalysisEntry* entry = analysis(analysis_id)) {
-        computeAgain(entry->recording_id, entry->requested);
+        Request request{.recording_id = entry->recording_id, .settings = entry->requested};
+        request.settings.snap = request.settings.snap || snapped;
+        setCurrentRecording(request.recording_id);
+        setSettings(request.settings);
+        ask(request);
     }
-}
-
-void Document::analyseSnapped(AnalysisId analysis_id) {
-    if (const AnalysisEntry* entry = analysis(analysis_id)) {
-        Settings snapped = entry->requested;
-        snapped.snap = true;
-        computeAgain(entry->recording_id, snapped);
-    }
-}
-
-void Document::computeAgain(RecordingId recording_id, const Settings& requested) {
-    setCurrentRecording(recording_id);
-    setSettings(requested);
-    ask({.recording_id = recording_id, .settings = requested});
 }
 
 void Document::ask(const Request& request) {

@@ -143,9 +143,7 @@ private:
     void takeArrived();
     void whenOpened(RecordingId id);
     void whenSettingsChanged(const Settings& before);
-    void restoreAnalyses(RecordingId id, const std::vector<AnalysisEntry>& analyses);
     void ask(const Request& request);
-    void computeAgain(RecordingId recording_id, const Settings& requested);
     // Live, of a recording: with these settings, or where it does not show the present ones yet.
     void follow(RecordingId recording_id, const Settings& wanted);
     void catchUp(RecordingId recording_id);

@@ -238,7 +238,7 @@ void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
     // Queued, because the new analysis fills this list again and deletes the button.
     connect(
         snap, &QPushButton::clicked, &document_,
-        [this, id = row.analysis->shown.id] { document_.analyseSnapped(id); },
+        [this, id = row.analysis->shown.id] { document_.analyseAgain(id, true); },
         Qt::QueuedConnection);
 }
 
