@@ -168,12 +168,7 @@ void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QStr
     named->setEditable(true);
     named->addItems(gyros);
     named->setCurrentText(gyro);
-    setWords(*named, StoreWords::tr("Gyro"),
-             StoreWords::tr("The name under which the history of this resonator is kept"));
     auto* dated = withName(new QLineEdit(date, dialog), "storeDate");
-    setWords(
-        *dated, StoreWords::tr("Date"),
-        StoreWords::tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
     auto* fault = new QLabel(dialog);
     fault->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
@@ -181,8 +176,11 @@ void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QStr
     ok->setText(StoreWords::tr("Add"));
     buttons->button(QDialogButtonBox::Cancel)->setText(StoreWords::tr("Cancel"));
     auto* form = new QFormLayout(dialog);
-    form->addRow(StoreWords::tr("Gyro"), named);
-    form->addRow(StoreWords::tr("Date"), dated);
+    addRow(*form, StoreWords::tr("Gyro"), named,
+           StoreWords::tr("The name under which the history of this resonator is kept"));
+    addRow(
+        *form, StoreWords::tr("Date"), dated,
+        StoreWords::tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
     form->addRow(fault);
     form->addRow(buttons);
     const auto check = [named, dated, fault, ok] {

@@ -71,9 +71,8 @@ QString named(int number, const Channel& channel) {
 }  // namespace
 
 void FormRows::add(const char* name, const FieldWords& words, QWidget* field) const {
-    form->addRow(words.label, withName(field, name));
+    addRow(*form, words.label, withName(field, name), words.tip);
     form->labelForField(field)->setToolTip(words.tip);
-    setWords(*field, words.label, words.tip);
 }
 
 QComboBox* FormRows::list(const char* name, const FieldWords& words,

@@ -4,6 +4,7 @@
 
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -52,6 +53,11 @@ public:
 void setWords(QWidget& widget, const QString& name, const QString& tip) {
     widget.setAccessibleName(name);
     widget.setToolTip(tip);
+}
+
+void addRow(QFormLayout& form, const QString& label, QWidget* field, const QString& tip) {
+    form.addRow(label, field);
+    setWords(*field, label, tip);
 }
 
 void addParts(QBoxLayout& layout, LayoutParts parts) {

@@ -13,6 +13,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLayout;
 class QScrollArea;
@@ -31,6 +32,8 @@ Widget* withName(Widget* widget, const char* name) {
 
 // What a screen reader calls a widget, and its tool tip.
 void setWords(QWidget& widget, const QString& name, const QString& tip);
+// A row of a form: a field with its label, which is its name for a screen reader, too.
+void addRow(QFormLayout& form, const QString& label, QWidget* field, const QString& tip);
 
 // A part of a row or column of a layout: a widget, another layout, or room that grows.
 struct LayoutPart {

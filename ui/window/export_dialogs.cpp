@@ -79,8 +79,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
                             const QString& unit, double least, double most) {
         field->setLimits(least, most);
         field->setUnit(unit);
-        setWords(*field, name, tip);
-        form->addRow(name, field);
+        addRow(*form, name, field, tip);
         connect(field, &NumberField::valueEdited, this, &ExportDialog::refresh);
         connect(field, &NumberField::faultChanged, this, &ExportDialog::refresh);
     };
@@ -97,8 +96,7 @@ ExportDialog::ExportDialog(FigureSource source, QWidget* parent)
     }
     title_->setPlaceholderText(tr("No title"));
     title_->setClearButtonEnabled(true);
-    setWords(*title_, tr("Title"), tr("Above the plots; empty: none"));
-    form->addRow(tr("Title"), title_);
+    addRow(*form, tr("Title"), title_, tr("Above the plots; empty: none"));
     settings_->setChecked(kept.value(settings_key, true).toBool() && !source_.settings.isEmpty());
     settings_->setEnabled(!source_.settings.isEmpty());
     settings_->setToolTip(plainTip(source_.settings));
@@ -235,23 +233,19 @@ ReportDialog::ReportDialog(Document& document, bool of_set, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     auto* form = new QFormLayout(this);
-    const auto add = [form](const QString& name, QWidget* field, const QString& tip) {
-        form->addRow(name, field);
-        setWords(*field, name, tip);
-    };
     for (const ReportSubject& each : subjects_) {
         subject_->addItem(each.name);
         if (of_set && document.sets().current() && each.set == document.sets().current()->id) {
             subject_->setCurrentIndex(subject_->count() - 1);
         }
     }
-    add(tr("Report of"), subject_,
-        tr("A recording, a set of them with its resonator, or all sets"));
+    addRow(*form, tr("Report of"), subject_,
+           tr("A recording, a set of them with its resonator, or all sets"));
     const QString by_hand = tr("Empty: a line to fill in by hand");
     for (std::size_t k = 0; k < title_fields.size(); ++k) {
         fields_[k] = new QLineEdit(this);
         fields_[k]->setObjectName(QLatin1String(title_fields[k].option));
-        add(ReportWords::tr(title_fields[k].name), fields_[k], by_hand);
+        addRow(*form, ReportWords::tr(title_fields[k].name), fields_[k], by_hand);
     }
     all_plots_->setToolTip(tr("Off: the five slow variables"));
     form->addRow(summary_);

@@ -219,11 +219,10 @@ AxisLimitsDialog::AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWi
         field->setUnit(displayUnit(variable, tracks.units()));
         field->setMinimumWidth(200);
         field->setPlaceholderText(shortNumberText(end, shown_digits));
-        setWords(*field, label, tr("Empty: as the data are"));
+        addRow(*form, label, field, tr("Empty: as the data are"));
         if (typed != fixed.end()) {
             field->setValue(end);
         }
-        form->addRow(label, field);
         connect(field, &NumberField::valueEdited, this, &AxisLimitsDialog::check);
         connect(field, &NumberField::faultChanged, this, &AxisLimitsDialog::check);
     };
