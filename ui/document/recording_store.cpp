@@ -11,34 +11,21 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vybeg::ui {
 
 namespace {
 
-// Whether other import options may open the file.
-bool isFixableByImportOptions(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::setting_invalid:
-        case ErrorCode::format_unknown:
-        case ErrorCode::text_not_a_number:
-        case ErrorCode::text_time_backwards:
-        case ErrorCode::text_no_table:
-        case ErrorCode::text_lines_missing:
-        case ErrorCode::column_out_of_range:
-        case ErrorCode::no_channels:
-        case ErrorCode::too_few_channels:
-        case ErrorCode::parts_differ:
-        case ErrorCode::rates_differ:
-        case ErrorCode::channel_out_of_range:
-        case ErrorCode::channel_is_time:
-        case ErrorCode::rate_unknown:
-        case ErrorCode::variable_missing:
-        case ErrorCode::variables_ambiguous: return true;
-        default: return false;
-    }
-}
+// Of files that other import options may open.
+constexpr std::array fixable_by_import_options{
+    ErrorCode::setting_invalid,     ErrorCode::format_unknown, ErrorCode::text_not_a_number,
+    ErrorCode::text_time_backwards, ErrorCode::text_no_table,  ErrorCode::text_lines_missing,
+    ErrorCode::column_out_of_range, ErrorCode::no_channels,    ErrorCode::too_few_channels,
+    ErrorCode::parts_differ,        ErrorCode::rates_differ,   ErrorCode::channel_out_of_range,
+    ErrorCode::channel_is_time,     ErrorCode::rate_unknown,   ErrorCode::variable_missing,
+    ErrorCode::variables_ambiguous};
 
 }  // namespace
 
@@ -173,7 +160,7 @@ void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     }
     if (!result) {
         Message message = errorMessage(result.error());
-        if (isFixableByImportOptions(result.error().code)) {
+        if (std::ranges::count(fixable_by_import_options, result.error().code) > 0) {
             message.button = [] {
                 return QCoreApplication::translate("vybeg::ui::MessageBar", "Import…");
             };
