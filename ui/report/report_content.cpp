@@ -158,6 +158,11 @@ QString dateText(const QString& standard) {
         .trimmed();
 }
 
+QString firstAndLast(const QStringList& texts) {
+    return texts.size() > 1 ? QStringLiteral("%1 … %2").arg(texts.first(), texts.last())
+                            : texts.value(0);
+}
+
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {
@@ -166,8 +171,7 @@ QString measuredOn(const std::vector<ReportRecording>& recordings) {
             starts << start;
         }
     }
-    return starts.size() > 1 ? QStringLiteral("%1 … %2").arg(starts.first(), starts.last())
-                             : starts.value(0);
+    return firstAndLast(starts);
 }
 
 QString optionsText(const Settings& settings) {

@@ -100,6 +100,9 @@ ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise);
 // writes it; any other text as it is.
 QString dateText(const QString& standard);
 
+// "first … last" of several; empty of none.
+QString firstAndLast(const QStringList& texts);
+
 // Date of the recordings as their files tell it; the first and the last of several. Empty where
 // none does.
 QString measuredOn(const std::vector<ReportRecording>& recordings);

@@ -349,25 +349,21 @@ QByteArray withOutline(const QByteArray& bytes, const std::vector<Heading>& head
 
 // As XML, with the characters that it reserves.
 QByteArray metadata(const ReportText& text) {
-    const auto list = [](const char* kind, const char* item, const QString& value) {
-        return QStringLiteral("<dc:%1><rdf:%2><rdf:li%3>%4</rdf:li></rdf:%2></dc:%1>")
-            .arg(QLatin1String(item), QLatin1String(kind),
-                 QLatin1String(kind) == QLatin1String("Alt")
-                     ? QStringLiteral(" xml:lang=\"x-default\"")
-                     : QString(),
-                 value.toHtmlEscaped());
-    };
+    const QString author =
+        QStringLiteral("<dc:creator><rdf:Seq><rdf:li>%1</rdf:li></rdf:Seq></dc:creator>")
+            .arg(text.author.toHtmlEscaped());
     return (QStringLiteral("<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>"
                            "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">"
                            "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">"
                            "<rdf:Description rdf:about=\"\" "
                            "xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
-                           "xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">") +
-            list("Alt", "title", text.title) +
-            (text.author.isEmpty() ? QString() : list("Seq", "creator", text.author)) +
-            QStringLiteral("<xmp:CreatorTool>%1</xmp:CreatorTool></rdf:Description></rdf:RDF>"
+                           "xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">"
+                           "<dc:title><rdf:Alt><rdf:li xml:lang=\"x-default\">%1</rdf:li></rdf:Alt>"
+                           "</dc:title>%2"
+                           "<xmp:CreatorTool>%3</xmp:CreatorTool></rdf:Description></rdf:RDF>"
                            "</x:xmpmeta><?xpacket end=\"w\"?>")
-                .arg(text.program.toHtmlEscaped()))
+                .arg(text.title.toHtmlEscaped(), text.author.isEmpty() ? QString() : author,
+                     text.program.toHtmlEscaped()))
         .toUtf8();
 }
 
@@ -401,24 +397,18 @@ QDate reportDay() {
 }
 
 ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made) {
-    QString about = content.title.gyro;
-    if (about.isEmpty() && !content.recordings.empty()) {
-        about = content.recordings.front().name;
-        if (content.recordings.size() > 1) {
-            about += QStringLiteral(" … ") + content.recordings.back().name;
-        }
+    QStringList names;
+    for (const ReportRecording& recording : content.recordings) {
+        names << recording.name;
     }
-    if (about.isEmpty() && ofLogsAlone(content)) {
-        const std::vector<WholeAngleLog>& logs = content.drift->logs;
-        about = QString::fromStdString(logs.front().name);
-        if (logs.size() > 1) {
-            about += QStringLiteral(" … ") + QString::fromStdString(logs.back().name);
-        }
+    for (std::size_t k = 0; ofLogsAlone(content) && k < content.drift->logs.size(); ++k) {
+        names << QString::fromStdString(content.drift->logs[k].name);
     }
+    const QString& gyro = content.title.gyro;
     ReportText text =
         framedReport(ofLogsAlone(content) ? ReportWords::tr("Report of whole-angle logs")
                                           : ReportWords::tr("Report of a free decay"),
-                     about, program);
+                     gyro.isEmpty() ? firstAndLast(names) : gyro, program);
     text.author = content.title.engineer;
     text.html += titleBlock(content.title, madeText(program, made)) + reportSections(content);
     return text;

@@ -447,11 +447,6 @@ QString signatures(const ReportTitle& title) {
     return smallHeading(ReportWords::tr("Signatures")) + html(table);
 }
 
-// The page to be signed.
-QString firstPage(const ReportContent& content) {
-    return resultSection(content) + worstWarnings(content) + signatures(content.title);
-}
-
 }  // namespace
 
 QString titleBlock(const ReportTitle& title, const QString& made) {
@@ -475,7 +470,9 @@ QString reportSections(const ReportContent& content) {
         return wholeAngleSection(content, false) + warningsSection(content) +
                signatures(content.title);
     }
-    const QString first = firstPage(content);
+    // The page to be signed.
+    const QString first =
+        resultSection(content) + worstWarnings(content) + signatures(content.title);
     return content.summary ? first
                            : first + recordingsSection(content) + settingsSection(content) +
                                  plotsSection(content) + resonatorSection(content) +
