@@ -3,20 +3,11 @@
 #include "ui/widgets/theme.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QWidget>
 
 #include <utility>
 
 namespace vybeg::ui {
-
-namespace {
-
-QString translated(const char* text) {
-    return QCoreApplication::translate("Command", text);
-}
-
-}  // namespace
 
 Commands::Commands(std::vector<CommandRow> rows, QWidget* window)
     : QObject(window), rows_(std::move(rows)) {
@@ -40,7 +31,7 @@ void Commands::refresh() {
         }
         if (row.object) {
             const QString object = row.object();
-            action(row.id)->setText(translated(row.text) +
+            action(row.id)->setText(WindowCommands::tr(row.text) +
                                     (object.isEmpty() ? object : QStringLiteral(": ") + object));
         }
     }
@@ -49,9 +40,9 @@ void Commands::refresh() {
 void Commands::retranslate() {
     for (const CommandRow& row : rows_) {
         QAction& shown = *action(row.id);
-        shown.setText(translated(row.text));
-        QString tip =
-            row.tip != nullptr ? translated(row.tip) : shown.text().remove(QLatin1Char('&'));
+        shown.setText(WindowCommands::tr(row.text));
+        QString tip = row.tip != nullptr ? WindowCommands::tr(row.tip)
+                                         : shown.text().remove(QLatin1Char('&'));
         if (!shown.shortcut().isEmpty()) {
             tip += QStringLiteral(" (%1)").arg(shown.shortcut().toString(QKeySequence::NativeText));
         }

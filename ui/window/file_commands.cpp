@@ -321,17 +321,13 @@ void FileCommands::openImport(const QString& path, const OpenOptions& options) {
     dialog->open();
 }
 
-void FileCommands::reportSaved(const Status& status, const QString& path) {
-    if (status) {
-        document_.report({MessageLevel::info, [path] { return tr("Written: %1").arg(path); }});
-    } else {
-        document_.report(errorMessage(status.error()));
-    }
-}
-
 void FileCommands::put(const QString& path, std::initializer_list<std::string_view> endings,
                        const std::function<void(const Done&)>& write) {
-    const Done done = [this, path](const Status& status) { reportSaved(status, path); };
+    const Done done = [this, path](const Status& status) {
+        document_.report(
+            status ? Message{MessageLevel::info, [path] { return tr("Written: %1").arg(path); }}
+                   : errorMessage(status.error()));
+    };
     Status possible = stayAsTheyAre(document_, path);
     if (possible && endings.size() > 0) {
         possible = check_ending(std::filesystem::path(path.toStdU16String()), endings);
@@ -401,10 +397,13 @@ void FileCommands::writeReport(const std::vector<ReportContent>& contents, const
 }
 
 bool FileCommands::writeFigure(const Figure& figure, const Paper& paper, const QString& path) {
-    Status done = stayAsTheyAre(document_, path);
-    done = done ? writeDrawing(figure.draw, paper, path) : done;
-    reportSaved(done, path);
-    return bool(done);
+    bool written = false;
+    put(path, {}, [&](const Done& done) {
+        const Status status = writeDrawing(figure.draw, paper, path);
+        written = bool(status);
+        done(status);
+    });
+    return written;
 }
 
 void FileCommands::exportTrackTo(const QString& path) {

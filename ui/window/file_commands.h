@@ -86,7 +86,6 @@ signals:
 private:
     // Before the session's file loses what another program wrote into it.
     void askToReplaceAndThen(const std::function<void()>& then);
-    void reportSaved(const Status& status, const QString& path);
     // What `write` does, unless it would take the place of an open recording or log, or the path's
     // ending is none of these ("": it may have none; no endings: `write` looks at it).
     using Done = std::function<void(const Status&)>;
