@@ -19,10 +19,10 @@ namespace vybeg::ui {
 namespace {
 
 struct Texts {
-    const char* name;  // in RESULTS.csv
-    BatchColumnKind kind;
-    const char* title;
-    const char* tip;
+    const char* name = "";  // in RESULTS.csv
+    BatchColumnKind kind = BatchColumnKind::text;
+    const char* title = "";
+    const char* tip = QT_TRANSLATE_NOOP("BatchColumn", "A column of the list");
 };
 
 // In the order of the window: what is asked first stands first. Behind the column that has changed
@@ -55,17 +55,12 @@ constexpr std::array column_texts{
           QT_TRANSLATE_NOOP("BatchColumn", "Why the set has no result, or no verdict")},
     Texts{"warnings", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Warnings"),
           QT_TRANSLATE_NOOP("BatchColumn", "Their codes, the worst first")},
-    Texts{"bias_v", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Bias, V"),
-          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
+    Texts{"bias_v", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Bias, V")},
     Texts{"temperature_c", BatchColumnKind::text,
-          QT_TRANSLATE_NOOP("BatchColumn", "Temperature, °C"),
-          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
-    Texts{"exchanged", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Exchanged"),
-          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
-    Texts{"operator", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Operator"),
-          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")},
-    Texts{"comment", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Comment"),
-          QT_TRANSLATE_NOOP("BatchColumn", "A column of the list")}};
+          QT_TRANSLATE_NOOP("BatchColumn", "Temperature, °C")},
+    Texts{"exchanged", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Exchanged")},
+    Texts{"operator", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Operator")},
+    Texts{"comment", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Comment")}};
 
 // Null for a parameter and for an unknown column of the list.
 const Texts* textsOf(const std::string& name) {
@@ -95,8 +90,7 @@ QString tipOf(const BatchColumn& column) {
         return shown.title.section(QLatin1Char(' '), -1) + QStringLiteral(": ") + shown.tip;
     }
     const Texts* texts = textsOf(column.name);
-    return texts ? translated(texts->tip)
-                 : translated(QT_TRANSLATE_NOOP("BatchColumn", "A column of the list"));
+    return translated(texts ? texts->tip : Texts{}.tip);
 }
 
 // From stored values to displayed ones.

@@ -381,30 +381,31 @@ void StartFields::showState() {
 }
 
 CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
+    const auto of_calibration = [](auto Calibration::*member) {
+        return [member](auto& settings) -> auto& {
+            return settings.calibration.*member;
+        };
+    };
     NumberField* kappa = addField(
         {QT_TR_NOOP("Gain ratio κ"), "",
          QT_TR_NOOP("Channel D is recorded as D/κ, the scaling below (30): κ = 1 for balanced "
                     "channels.")},
         bounds_of("kappa"));
     kappa->setStep(0.001);
-    follow(
-        kappa, [](auto& settings) -> auto& { return settings.calibration.kappa; });
+    follow(kappa, of_calibration(&Calibration::kappa));
     const auto offsets = addPair(
         {QT_TR_NOOP("Offset C, D"), "",
          QT_TR_NOOP("Constant in each channel, recording units; it is subtracted. The averages of "
                     "(13), (15) presume none."),
          QT_TR_NOOP("Offset of C")},
         QT_TR_NOOP("Offset of D"), boundsOfBoth("offset"));
-    follow(
-        offsets[0], [](auto& settings) -> auto& { return settings.calibration.offset_c; });
-    follow(
-        offsets[1], [](auto& settings) -> auto& { return settings.calibration.offset_d; });
+    follow(offsets[0], of_calibration(&Calibration::offset_c));
+    follow(offsets[1], of_calibration(&Calibration::offset_d));
     auto* automatic = withTexts(
         new QCheckBox(this), {QT_TR_NOOP("Take the offsets from the signals"), "",
                               QT_TR_NOOP("Each channel's mean over whole periods of the carrier")});
     addWide(automatic);
-    follow(
-        automatic, [](auto& settings) -> auto& { return settings.calibration.offset_auto; });
+    follow(automatic, of_calibration(&Calibration::offset_auto));
     whenShown([this, offsets] {
         for (NumberField* field : offsets) {
             field->setEnabled(!state().settings.calibration.offset_auto);
@@ -415,15 +416,13 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
                   QT_TR_NOOP("By how much channel D is sampled later than C. It would otherwise "
                              "count as Δφ_CD of (9).")},
                  bounds_of("delay"), 1e-6);
-    follow(
-        delay, [](auto& settings) -> auto& { return settings.calibration.delay_d_s; }, 1e6);
+    follow(delay, of_calibration(&Calibration::delay_d_s), 1e6);
     NumberField* zero =
         addField({QT_TR_NOOP("Angle zero"), QT_TR_NOOP("°"),
                   QT_TR_NOOP("Angle of the first electrode, subtracted from θ_A of (2): the "
                              "article counts the angle from there.")},
                  bounds_of("angle-zero"));
-    follow(
-        zero, [](auto& settings) -> auto& { return settings.calibration.angle_zero_deg; });
+    follow(zero, of_calibration(&Calibration::angle_zero_deg));
     auto* repair = withTexts(
         new QCheckBox(this),
         {QT_TR_NOOP("Make gaps of lost samples"), "",
