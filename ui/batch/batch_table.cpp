@@ -348,10 +348,6 @@ QStringList BatchTable::details(int row) const {
     return lines << findingTexts(findings_of(of.warnings));
 }
 
-QString BatchTable::detailText(int row) const {
-    return details(row).join(QLatin1Char('\n'));
-}
-
 QVariant BatchTable::data(const QModelIndex& index, int role) const {
     const FinishedRow& row = rows_[static_cast<std::size_t>(index.row())];
     const BatchColumn& column = columns_[static_cast<std::size_t>(index.column())];

@@ -83,7 +83,7 @@ public:
     // Whether no row has anything in this column.
     bool isEmpty(int column) const;
     // All there is to say of a set: the reason, the warnings.
-    QString detailText(int row) const;
+    QStringList details(int row) const;
     bool hasResult(int row) const {
         return stateOf(rows_[static_cast<std::size_t>(row)]) == State::done;
     }
@@ -103,7 +103,6 @@ private:
     double number(const FinishedRow& row, std::size_t field) const;
     QString field(const FinishedRow& row, std::size_t field) const;
     QString reasonText(const FinishedRow& row) const;
-    QStringList details(int row) const;
     QString cellText(const FinishedRow& row, const BatchColumn& column) const;
     QVariant sortKey(const FinishedRow& row, const BatchColumn& column) const;
     QColor color(const FinishedRow& row, const BatchColumn& column) const;

@@ -299,20 +299,19 @@ void BatchWindow::stop() {
 }
 
 BatchEvents BatchWindow::events() {
+    const auto post = [this](std::function<void()> act) {
+        QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
+    };
     return {
-        [this](const std::vector<Diagnostic>& warnings) {
+        [this, post](const std::vector<Diagnostic>& warnings) {
             for (const Diagnostic& each : warnings) {
                 post([this, each] { message_->warn([each] { return diagnosticText(each); }); });
             }
         },
-        [this](const MeasurementList& list) {
+        [this, post](const MeasurementList& list) {
             post([this, own = std::make_shared<const MeasurementList>(list)] { whenBegun(own); });
         },
-        [this](const FinishedRow& row) { post([this, row] { whenFinished(row); }); }};
-}
-
-void BatchWindow::post(std::function<void()> act) {
-    QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection);
+        [this, post](const FinishedRow& row) { post([this, row] { whenFinished(row); }); }};
 }
 
 void BatchWindow::whenBegun(const std::shared_ptr<const MeasurementList>& list) {
@@ -409,7 +408,8 @@ void BatchWindow::widenFor(int row) {
 
 void BatchWindow::showDetails() {
     const QModelIndex current = order_->mapToSource(table_->currentIndex());
-    const QString text = current.isValid() ? model_.detailText(current.row()) : QString();
+    const QString text =
+        current.isValid() ? model_.details(current.row()).join(QLatin1Char('\n')) : QString();
     if (details_->toPlainText() != text) {
         details_->setPlainText(text);
     }

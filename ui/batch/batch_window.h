@@ -106,7 +106,6 @@ private:
     void stop();
     // Passes the events of the batch, which come in its thread, to the window.
     BatchEvents events();
-    void post(std::function<void()> act);
     void whenBegun(const std::shared_ptr<const MeasurementList>& list);
     void whenFinished(const FinishedRow& row);
     void whenEnded(const Status& status);

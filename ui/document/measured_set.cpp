@@ -10,30 +10,6 @@ namespace vybeg::ui {
 
 namespace {
 
-// The window is the identification's own: that of the tracks has another purpose.
-IdentifySettings settingsOfPanel(const SettingsModel& settings) {
-    IdentifySettings own;
-    own.signal = settings.settings();
-    own.tolerance = settings.tolerance();
-    return own;
-}
-
-RecordingRef refOf(const RecordingEntry& entry) {
-    return {entry.name.toStdString(), entry.path.toStdU16String(), entry.options};
-}
-
-// Ids of the recordings of all sets of recordings in their order; those that are not open yet are
-// opened together.
-std::vector<RecordingId> openEachOnce(const MeasurementList& list, RecordingStore& recordings) {
-    std::vector<RecordingRef> wanted;
-    for (const MeasurementSet& set : list.sets) {
-        if (!set.settings.logs.given()) {
-            wanted.insert(wanted.end(), set.recordings.begin(), set.recordings.end());
-        }
-    }
-    return recordings.openOnce(wanted);
-}
-
 // Logs hold no samples, and with a phase no carrier is searched.
 SignalSettings byPanel(SignalSettings of_log, const LogChoice& logs, const SettingsModel& panel) {
     of_log.calibration = panel.settings().calibration;
@@ -49,7 +25,13 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
                              const RecordingStore& recordings) {
     MeasurementSet measured;
     measured.name = set.name.toStdString();
-    measured.settings = set.listed ? set.listed->settings : settingsOfPanel(settings);
+    if (set.listed) {
+        measured.settings = set.listed->settings;
+    } else {
+        // The window is the identification's own: that of the tracks has another purpose.
+        measured.settings.signal = settings.settings();
+        measured.settings.tolerance = settings.tolerance();
+    }
     measured.settings.of_recordings.clear();
     measured.settings.model = set.model;
     std::vector<SignalSettings> of_each;
@@ -67,7 +49,10 @@ MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& setti
     for (const RecordingId id : set.recordings) {
         const std::optional<std::size_t> row = rowOf(set, id);
         const RecordingEntry& entry = *recordings.find(id);
-        measured.recordings.push_back(row ? set.listed->recordings[*row] : refOf(entry));
+        measured.recordings.push_back(row ? set.listed->recordings[*row]
+                                          : RecordingRef{entry.name.toStdString(),
+                                                         entry.path.toStdU16String(),
+                                                         entry.options});
         measured.recordings.back().id = number(id);
         measured.recordings.back().sha256 = entry.sha256.toStdString();
         of_each.push_back(row ? set.listed->settings.signal_of(*row) : measured.settings.signal);
@@ -99,7 +84,14 @@ QStringList namedTwice(const MeasurementSet& set) {
 }
 
 std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& recordings) {
-    const std::vector<RecordingId> ids = openEachOnce(list, recordings);
+    std::vector<RecordingRef> wanted;
+    for (const MeasurementSet& set : list.sets) {
+        if (!set.settings.logs.given()) {
+            wanted.insert(wanted.end(), set.recordings.begin(), set.recordings.end());
+        }
+    }
+    // In their order; those that are not open yet are opened together.
+    const std::vector<RecordingId> ids = recordings.openOnce(wanted);
     std::size_t next = 0;
     std::vector<RecordingSet> sets;
     for (const MeasurementSet& measured : list.sets) {

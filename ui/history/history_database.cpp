@@ -140,22 +140,6 @@ struct StoreWords {
     Q_DECLARE_TR_FUNCTIONS(Store)
 };
 
-// As `vybeg-cli batch --database` does. `done` gets the name of the earlier result that it
-// replaces.
-void storeResult(const DatabaseJob& job, SetResult result, Done<std::optional<StoredName>> done) {
-    job.jobs.run<std::optional<StoredName>>(
-        job.key,
-        [&document = job.document, path = job.path, result = std::move(result)](
-            const JobControl& control) -> Result<std::optional<StoredName>> {
-            const auto stored = TRY(stored_result(result, identify_json(result)));
-            auto database = TRY(opened(document, path, ResultsDatabase::Access::write, control));
-            const auto known = database.holder(stored.key);
-            const Result<std::int64_t> id = known ? database.add(stored) : known.error();
-            return id ? known : id.error();
-        },
-        std::move(done));
-}
-
 // The date is ISO 8601 or empty.
 void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QString& date,
                        QWidget* window,
@@ -207,7 +191,7 @@ void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QStr
     dialog->open();
 }
 
-// Under this gyro and date, for the whole of the set.
+// Under this gyro and date, for the whole of the set, as `vybeg-cli batch --database` does.
 void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date,
                 const std::function<void()>& added) {
     const SetStore& sets = job.document.sets();
@@ -223,25 +207,32 @@ void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date
             recording.conditions.date = date.toStdString();
         }
     }
-    storeResult(job, std::move(result),
-                [&document = job.document, name = QFileInfo(job.path).fileName(), gyro,
-                 added](const Result<std::optional<StoredName>>& replaced) {
-                    if (!replaced) {
-                        document.report(errorMessage(replaced.error()));
-                        return;
-                    }
-                    const auto text = [gyro, name, replaced = *replaced] {
-                        return replaced
-                                   ? StoreWords::tr(
-                                         "The result of %1 replaces that of %3 (set %4) in %2: "
-                                         "the same recordings and settings.")
-                                         .arg(gyro, name, QString::fromStdString(replaced->gyro),
-                                              QString::fromStdString(replaced->set))
-                                   : StoreWords::tr("The result of %1 is in %2.").arg(gyro, name);
-                    };
-                    document.report({MessageLevel::info, text});
-                    added();
-                });
+    inDatabase<std::optional<StoredName>>(
+        job, ResultsDatabase::Access::write,
+        [result =
+             std::move(result)](ResultsDatabase& database) -> Result<std::optional<StoredName>> {
+            const auto stored = TRY(stored_result(result, identify_json(result)));
+            const auto known = database.holder(stored.key);
+            const Result<std::int64_t> id = known ? database.add(stored) : known.error();
+            return id ? known : id.error();
+        },
+        [&document = job.document, name = QFileInfo(job.path).fileName(), gyro,
+         added](const Result<std::optional<StoredName>>& replaced) {
+            if (!replaced) {
+                document.report(errorMessage(replaced.error()));
+                return;
+            }
+            const auto text = [gyro, name, replaced = *replaced] {
+                return replaced ? StoreWords::tr(
+                                      "The result of %1 replaces that of %3 (set %4) in %2: "
+                                      "the same recordings and settings.")
+                                      .arg(gyro, name, QString::fromStdString(replaced->gyro),
+                                           QString::fromStdString(replaced->set))
+                                : StoreWords::tr("The result of %1 is in %2.").arg(gyro, name);
+            };
+            document.report({MessageLevel::info, text});
+            added();
+        });
 }
 
 }  // namespace

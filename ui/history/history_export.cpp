@@ -68,14 +68,6 @@ std::string tableOf(const HistoryView& view, const std::vector<std::string>& hea
     return text;
 }
 
-QString resultsOf(const HistoryView& view) {
-    HtmlTable table{{HistoryWords::tr("Results")}, {}, {100}, true};
-    for (std::size_t k = 0; k < view.history.points.size(); ++k) {
-        table.rows.push_back({richText(pointText(view, k))});
-    }
-    return html(table);
-}
-
 }  // namespace
 
 HistoryExport historyExport(const HistoryView& view, const QString& database,
@@ -107,7 +99,11 @@ HistoryExport historyExport(const HistoryView& view, const QString& database,
                                            {report_page.width(), height * report_page.width()}));
         all.report.html += figureHtml(name);
     }
-    all.report.html += resultsOf(view);
+    HtmlTable results{{HistoryWords::tr("Results")}, {}, {100}, true};
+    for (std::size_t k = 0; k < view.history.points.size(); ++k) {
+        results.rows.push_back({richText(pointText(view, k))});
+    }
+    all.report.html += html(results);
     return all;
 }
 

@@ -167,7 +167,15 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
     content_ = scrolled(buildContent());
     fill(new QVBoxLayout(this), {}, 4, {head, {state_, 0, Qt::AlignCenter}, {content_, 1}});
     connectWidgets();
-    whenChanged(*this, {QEvent::Show}, [this] { whenShown(); });
+    // The database is read when the page is first seen: it may lie on a slow share.
+    whenChanged(*this, {QEvent::Show}, [this] {
+        if (!std::exchange(seen_, true)) {
+            path_ = QSettings().value(path_key).toString();
+            if (!path_.isEmpty()) {
+                read();
+            }
+        }
+    });
     retranslate();
 }
 
@@ -191,17 +199,6 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
         });
     } else {
         read();
-    }
-}
-
-// The database is read when the page is first seen: it may lie on a slow share.
-void HistoryPage::whenShown() {
-    if (!seen_) {
-        seen_ = true;
-        path_ = QSettings().value(path_key).toString();
-        if (!path_.isEmpty()) {
-            read();
-        }
     }
 }
 
@@ -324,17 +321,13 @@ QString HistoryPage::stateText() const {
     return {};
 }
 
-QString HistoryPage::addHint() const {
-    return path_.isEmpty() ? tr("First open a database, or make a new one.")
-           : !addableResult(document_)
-               ? tr("First identify the resonator of a set, on the page Resonator.")
-               : QString();
-}
-
 void HistoryPage::refresh() {
     database_->setText(QFileInfo(path_).fileName());
     database_->setToolTip(plainTip(path_));
-    const QString hint = addHint();
+    const QString hint = path_.isEmpty() ? tr("First open a database, or make a new one.")
+                         : !addableResult(document_)
+                             ? tr("First identify the resonator of a set, on the page Resonator.")
+                             : QString();
     add_->setVisible(!path_.isEmpty());
     export_->setVisible(!path_.isEmpty());
     add_->setEnabled(hint.isEmpty());

@@ -86,7 +86,6 @@ private:
         HistoryPlot shown;
     };
 
-    void whenShown();
     QLayout* buildHead();
     QWidget* buildContent();
     void connectWidgets();
@@ -102,7 +101,6 @@ private:
     HistoryView view() const;
     bool hasResults() const { return history_ && !history_->gyros.empty(); }
     QString stateText() const;
-    QString addHint() const;
     // `place`: of a point in the plot.
     void choose(const HistoryPlot& shown, int place);
     void step(int by);

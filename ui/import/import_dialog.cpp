@@ -110,7 +110,12 @@ ImportPreview::ImportPreview(QWidget* parent)
 
 void ImportPreview::setPreview(const RecordingPreview& preview) {
     preview_ = preview;
-    showProblem();
+    QPalette palette = what_->parentWidget()->palette();
+    if (preview_.problem) {
+        palette.setColor(QPalette::WindowText, theme_.warning);
+    }
+    what_->setPalette(palette);
+    what_->setText(preview_.problem ? errorText(*preview_.problem) : formatText(preview_.format));
     fillTable();
     drawSamples();
 }
@@ -119,15 +124,6 @@ void ImportPreview::setError(const Error& error) {
     RecordingPreview none;
     none.problem = error;
     setPreview(none);
-}
-
-void ImportPreview::showProblem() {
-    QPalette palette = what_->parentWidget()->palette();
-    if (preview_.problem) {
-        palette.setColor(QPalette::WindowText, theme_.warning);
-    }
-    what_->setPalette(palette);
-    what_->setText(preview_.problem ? errorText(*preview_.problem) : formatText(preview_.format));
 }
 
 void ImportPreview::fillTable() {

@@ -32,7 +32,6 @@ public:
     void setError(const Error& error);
 
 private:
-    void showProblem();
     void fillTable();
     QString unitOfSamples() const;
     void drawSamples();

@@ -197,7 +197,14 @@ LogDialog::LogDialog(BackgroundJobs& job, const QStringList& paths, MeasurementS
     });
     connect(files_, &QListWidget::itemSelectionChanged, this, &LogDialog::showPreview);
     connect(files_, &LogFiles::looked, this, &LogDialog::take);
-    connect(files_, &LogFiles::changed, this, &LogDialog::changeFiles);
+    connect(files_, &LogFiles::changed, this, [this] {
+        // What the fields show may be of a file that went.
+        known_shown_ =
+            known_shown_ && std::ranges::none_of(files_->looks(), [](const auto& looked) {
+                return looked.look.problem.has_value();
+            });
+        look();
+    });
     guardFromWheel(*this);
     resize(980, 560);
     kind_->setFocus();
@@ -341,8 +348,8 @@ void LogDialog::look() {
 
 void LogDialog::take() {
     if (files_->sound() && files_->sound()->readable && !std::exchange(known_shown_, true)) {
-        showKnown();
         looked_with_ = files_->sound()->look.choice;
+        showAs(looked_with_);
     }
     // Which one is of channel D stays as it was given.
     if (!channel_d_->isModified()) {
@@ -350,18 +357,6 @@ void LogDialog::take() {
     }
     refresh();
     showPreview();
-}
-
-// What the fields show may be of a file that went.
-void LogDialog::changeFiles() {
-    known_shown_ = known_shown_ && std::ranges::none_of(files_->looks(), [](const auto& looked) {
-                       return looked.look.problem.has_value();
-                   });
-    look();
-}
-
-void LogDialog::showKnown() {
-    showAs(files_->sound()->look.choice);
 }
 
 void LogDialog::showGiven() {

@@ -55,9 +55,6 @@ private:
     bool isOfPhasors() const;
     void look();
     void take();
-    void changeFiles();
-    // What the files tell stands in the fields.
-    void showKnown();
     void showPreview();
     void showRows();
     // Why the logs cannot be opened yet; empty: they can.

@@ -212,10 +212,21 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
         go(item->data(0, Qt::UserRole).toDouble(), item->data(1, Qt::UserRole).toDouble());
     };
     connect(check_, &CheckList::placeChosen, this, go);
-    connect(check_, &CheckList::remedyWanted, this, &FindingsFlag::remedy);
+    connect(check_, &CheckList::remedyWanted, this, [this](int finding) {
+        const RecordingEntry& recording = *document_.currentRecording();
+        const auto& findings = recording.faults->findings;
+        if (const auto found = remedyOf(findings.at(static_cast<std::size_t>(finding)), recording,
+                                        document_.settings())) {
+            document_.setSettings(found->settings);
+        }
+    });
     connect(events_, &QTreeWidget::itemClicked, this, choose);
     connect(events_, &QTreeWidget::itemActivated, this, choose);
-    connect(this, &QToolButton::clicked, this, &FindingsFlag::open);
+    connect(this, &QToolButton::clicked, this, [this] {
+        refresh();
+        popup_->move(mapToGlobal(QPoint(0, height())));
+        popup_->show();
+    });
     for (const auto changed : {&Document::recordingsChanged, &Document::currentRecordingChanged,
                                &Document::analysesChanged, &Document::settingsChanged}) {
         connect(&document_, changed, this, &FindingsFlag::refresh);
@@ -227,12 +238,6 @@ FindingsFlag::FindingsFlag(Document& document, QWidget* parent)
 void FindingsFlag::setAnalysis(AnalysisId analysis_id) {
     analysis_id_ = analysis_id;
     refresh();
-}
-
-void FindingsFlag::open() {
-    refresh();
-    popup_->move(mapToGlobal(QPoint(0, height())));
-    popup_->show();
 }
 
 void FindingsFlag::refresh() {
@@ -274,15 +279,6 @@ void FindingsFlag::refresh() {
     } else {
         title_->setText(tr("%1: %n event(s)", nullptr, static_cast<int>(entry->events.size()))
                             .arg(entry->shown.name));
-    }
-}
-
-void FindingsFlag::remedy(int finding) {
-    const RecordingEntry& recording = *document_.currentRecording();
-    const auto& findings = recording.faults->findings;
-    if (const auto found = remedyOf(findings.at(static_cast<std::size_t>(finding)), recording,
-                                    document_.settings())) {
-        document_.setSettings(found->settings);
     }
 }
 

@@ -69,9 +69,7 @@ signals:
     void placeChosen(double time_s, double seconds);
 
 private:
-    void open();
     void refresh();
-    void remedy(int finding);
     void fillEvents(const AnalysisEntry* entry);
     void retranslate();
 

@@ -70,7 +70,14 @@ Ledger::Ledger(Document& document, QWidget* parent)
             },
             Qt::QueuedConnection);
     });
-    connect(this, &QTreeWidget::currentItemChanged, this, &Ledger::whenChosen);
+    connect(this, &QTreeWidget::currentItemChanged, this, [this] {
+        if (currentItem()) {
+            document_.setCurrentRecording(recordingOf(*currentItem()));
+        }
+        measure();
+        enableActions();
+        emit currentAnalysisChanged(currentAnalysis());
+    });
     connect(&document_, &Document::recordingsChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::recordingChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::analysesChanged, this, &Ledger::rebuild);
@@ -185,23 +192,12 @@ void Ledger::chooseRow() {
     }
 }
 
-void Ledger::whenChosen() {
-    if (currentItem()) {
-        document_.setCurrentRecording(recordingOf(*currentItem()));
-    }
-    measure();
-    enableActions();
-    emit currentAnalysisChanged(currentAnalysis());
-}
-
 void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
     nameRow(row, document_.live(), item);
     item.setText(algorithm, {});
-    item.setText(window, {});
-    item.setText(frequency, {});
-    item.setText(noiseColumn(), {});
     for (const int column :
          {static_cast<int>(window), static_cast<int>(frequency), noiseColumn()}) {
+        item.setText(column, {});
         item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
     if (row.analysis) {

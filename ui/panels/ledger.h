@@ -67,7 +67,6 @@ private:
     void retranslate();
     void fill(const LedgerRow& row, QTreeWidgetItem& item);
     void chooseRow();
-    void whenChosen();
     void measure();
     void fillCells();
     LedgerReader reader() const { return {document_, read_at_, measuring_, trends_, units_}; }

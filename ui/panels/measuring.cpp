@@ -43,10 +43,6 @@ const FittedTrend* find(const std::vector<FittedTrend>& trends, SlowVariable var
     return found == trends.end() ? nullptr : &*found;
 }
 
-QString windowCount(std::size_t windows) {
-    return Words::tr("%n window(s) without common samples", nullptr, static_cast<int>(windows));
-}
-
 // Variables whose windows scatter about their trend by more than their noise.
 QStringList leaving(const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
     QStringList names;
@@ -78,7 +74,8 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
         const auto& line = std::get<Trend>(frequency->fit);
         sentences << Words::tr("Drift of f: %1 Hz/s")
                          .arg(valueText(line.slope_per_s, line.sd_slope_per_s))
-                  << windowCount(line.windows);
+                  << Words::tr("%n window(s) without common samples", nullptr,
+                               static_cast<int>(line.windows));
     }
     if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
         sentences << Words::tr("Bent: %1; sd enlarged.").arg(names.join(QStringLiteral(", ")));

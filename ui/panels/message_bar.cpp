@@ -29,7 +29,14 @@ MessageBar::MessageBar(QWidget* parent)
       close_all_(withName(new QToolButton(more_), "closeMessages")) {
     fill(new QHBoxLayout(more_), {8, 0, 4, 2}, {{waiting_, 1}, close_all_});
     fill(layout_, {}, 2, {more_});
-    connect(close_all_, &QToolButton::clicked, this, &MessageBar::closeAll);
+    // Questions wait for their answers.
+    connect(close_all_, &QToolButton::clicked, this, [this] {
+        for (const Row& row : std::vector(rows_)) {
+            if (!row.message.until_answered) {
+                closeRow(row);
+            }
+        }
+    });
     hide();
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -111,16 +118,6 @@ void MessageBar::closeRow(const Row& row) {
     remove(row.widget);
     if (dismiss) {
         dismiss();
-    }
-}
-
-// Questions wait for their answers.
-void MessageBar::closeAll() {
-    const std::vector<Row> rows = rows_;
-    for (const Row& row : rows) {
-        if (!row.message.until_answered) {
-            closeRow(row);
-        }
     }
 }
 

@@ -39,7 +39,6 @@ private:
     void retranslate();
     void nameRow(const Row& row);
     void closeRow(const Row& row);
-    void closeAll();
     void remove(QWidget* widget);
     void showRows();
 

@@ -305,7 +305,12 @@ void SessionKeeper::finishWhenComputed() {
     document_.setLive(wanted_.live);
     restoreView(wanted_.view, tracks_);
     saved_ = content();
-    identifyAgain();
+    // The waves, plots and reports of an identification are not kept.
+    for (const RecordingSet& set : document_.sets().all()) {
+        if (set.kept_up_to_date && isComplete(set) && hasMembers(set)) {
+            document_.sets().identifySet(set.id);
+        }
+    }
     if (wanted_.current_analysis >= 0 &&
         wanted_.current_analysis < static_cast<int>(document_.analyses().size())) {
         emit analysisWanted(
@@ -322,15 +327,6 @@ bool SessionKeeper::isComplete(const RecordingSet& set) const {
         return document_.recording(id)->recording.has_value();
     };
     return std::ranges::none_of(absent_, is_of_set) && std::ranges::all_of(set.recordings, is_open);
-}
-
-// The waves, plots and reports of an identification are not kept.
-void SessionKeeper::identifyAgain() {
-    for (const RecordingSet& set : document_.sets().all()) {
-        if (set.kept_up_to_date && isComplete(set) && hasMembers(set)) {
-            document_.sets().identifySet(set.id);
-        }
-    }
 }
 
 void SessionKeeper::compareHash(RecordingId recording_id) {

@@ -75,7 +75,6 @@ private:
     void begin(Session session);
     void keepAbsent(Session& session);
     void finishWhenComputed();
-    void identifyAgain();
     void compareHash(RecordingId recording_id);
     void compareHashesOfLogs();
     void warnOfOtherFile(const QString& path);

@@ -82,7 +82,17 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
     overlap_->setDigits(4);
     overlap_->setStep(10);
 
-    connect(length_, &NumberField::valueEdited, this, [this](auto value) { setLength(*value); });
+    connect(length_, &NumberField::valueEdited, this, [this](auto value) {
+        if (unit() == Unit::periods) {
+            change([value](Settings& settings) {
+                settings.periods = value;
+                settings.snap = false;
+            });
+        } else {
+            setSamples(unit() == Unit::samples ? *value
+                                               : std::round(*value * *state().rate_hz / 1000));
+        }
+    });
     connect(unit_, &QComboBox::activated, this, &WindowFields::showState);
     connect(hop_, &NumberField::valueEdited, this, [this](auto value) {
         change([&](Settings& settings) {
@@ -106,17 +116,6 @@ WindowFields::WindowFields(QWidget* parent) : SettingsFields(parent) {
 
 WindowFields::Unit WindowFields::unit() const {
     return static_cast<Unit>(unit_->currentIndex());
-}
-
-void WindowFields::setLength(double length) {
-    if (unit() == Unit::periods) {
-        change([length](Settings& settings) {
-            settings.periods = length;
-            settings.snap = false;
-        });
-    } else {
-        setSamples(unit() == Unit::samples ? length : std::round(length * *state().rate_hz / 1000));
-    }
 }
 
 void WindowFields::setSamples(double samples) {
@@ -318,7 +317,12 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
     for (std::size_t k = 0; k < typed_.size(); ++k) {
         typed_[k] = addField(texts[k], bounds_of("initial", k));
         typed_[k]->setStep(0.1);
-        connect(typed_[k], &NumberField::valueEdited, this, &StartFields::editTyped);
+        connect(typed_[k], &NumberField::valueEdited, this, [this] {
+            const auto value = [this](std::size_t of) { return *typed_[of]->value(); };
+            change([&](Settings& settings) {
+                settings.initial = StartValues{{value(0), value(1), value(2), value(3)}, value(4)};
+            });
+        });
     }
     every_window_ = withTexts(
         new QCheckBox(this),
@@ -327,7 +331,16 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
                     "others from the result of the window before.")});
     addWide(every_window_);
 
-    connect(start_, &QComboBox::activated, this, &StartFields::chooseStart);
+    connect(start_, &QComboBox::activated, this, [this](int start) {
+        change([&](Settings& settings) {
+            settings.start = start == automatic ? StartRule::first : StartRule::previous;
+            if (start != typed) {
+                settings.initial.reset();
+            } else if (!settings.initial) {
+                settings.initial = StartValues{{1, 0, 0, 0}, state().f0_hz.value_or(5300)};
+            }
+        });
+    });
     connect(every_window_, &QCheckBox::clicked, this, [this](bool every) {
         change([&](Settings& settings) {
             settings.start = every ? StartRule::first : StartRule::previous;
@@ -340,24 +353,6 @@ StartFields::StartFields(QWidget* parent) : SettingsFields(parent) {
 QString StartFields::summary() const {
     return state().settings.algorithm == Algorithm::conjugate_gradient ? start_->currentText()
                                                                        : tr("of algorithm 5 alone");
-}
-
-void StartFields::chooseStart(int start) {
-    change([&](Settings& settings) {
-        settings.start = start == automatic ? StartRule::first : StartRule::previous;
-        if (start != typed) {
-            settings.initial.reset();
-        } else if (!settings.initial) {
-            settings.initial = StartValues{{1, 0, 0, 0}, state().f0_hz.value_or(5300)};
-        }
-    });
-}
-
-void StartFields::editTyped() {
-    change([&](Settings& settings) {
-        const auto value = [this](std::size_t k) { return *typed_[k]->value(); };
-        settings.initial = StartValues{{value(0), value(1), value(2), value(3)}, value(4)};
-    });
 }
 
 void StartFields::showState() {

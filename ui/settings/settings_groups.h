@@ -25,7 +25,6 @@ private:
     enum class Unit { samples, periods, milliseconds };  // as in the list of choices
 
     Unit unit() const;
-    void setLength(double length);
     void setSamples(double samples);
     void showState();
     void showResidual(std::int64_t window);
@@ -87,8 +86,6 @@ public:
 private:
     enum Start { automatic, previous, typed };
 
-    void chooseStart(int start);
-    void editTyped();
     void showState();
 
     QComboBox* start_;

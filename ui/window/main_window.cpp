@@ -294,7 +294,12 @@ void MainWindow::connectPanels() {
     connect(menus_, &WindowMenus::themeChosen, this,
             [this](int theme) { setThemeMode(static_cast<ThemeMode>(theme)); });
     connect(menus_, &WindowMenus::languageChosen, this, &MainWindow::setLanguage);
-    connect(&overview_->flag(), &FindingsFlag::placeChosen, this, &MainWindow::goToEvent);
+    connect(&overview_->flag(), &FindingsFlag::placeChosen, this,
+            [this](double time_s, double seconds) {
+                tracks_page_->goToEvent(time_s, seconds);
+                ledger_->setMouse(time_s);
+                wave_->setTime(time_s);
+            });
     connect(settings_, &SettingsPanel::visibleRangeWanted, overview_,
             &Overview::analyseVisibleRange);
     connect(settings_, &SettingsPanel::wanted, this, [this] {
@@ -402,12 +407,6 @@ void MainWindow::showAnalysis(AnalysisId id) {
     tracks_page_->chooseAnalysis(id);
     signals_->setAnalysis(id);
     residuals_->setAnalysis(id);
-}
-
-void MainWindow::goToEvent(double time_s, double seconds) {
-    tracks_page_->goToEvent(time_s, seconds);
-    ledger_->setMouse(time_s);
-    wave_->setTime(time_s);
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {

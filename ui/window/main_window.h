@@ -82,7 +82,6 @@ private:
     void showCurrentRecording();
     void showAnalyses();
     void showAnalysis(AnalysisId id);
-    void goToEvent(double time_s, double seconds);
     void setUnits(const DisplayUnits& units);
     // Of the page that is shown.
     FigureSource figures() const;

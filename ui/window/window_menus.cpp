@@ -37,10 +37,7 @@ void RecentFiles::add(const QString& path) {
     QStringList files = paths();
     files.removeAll(absolute);
     files.prepend(absolute);
-    while (files.size() > most_files) {
-        files.removeLast();
-    }
-    QSettings().setValue(key, files);
+    QSettings().setValue(key, QStringList(files.mid(0, most_files)));
     rebuild();
 }
 
