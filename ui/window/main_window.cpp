@@ -19,7 +19,6 @@
 #include "ui/sweep/sweep_page.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
-#include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
 #include "ui/window/overview.h"

@@ -7,7 +7,6 @@
 #include "ui/resonator/dossier_dialogs.h"
 #include "ui/settings/settings_panel.h"
 #include "ui/signals/signals_page.h"
-#include "ui/window/batch_commands.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/help.h"
 #include "ui/window/main_window.h"
