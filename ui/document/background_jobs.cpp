@@ -166,6 +166,12 @@ void BackgroundJobs::buildEnvelope(int key, const Recording& recording, Envelope
         std::move(done));
 }
 
+void BackgroundJobs::tellProgress(int key, double fraction) {
+    QMetaObject::invokeMethod(
+        this, [this, key, fraction] { emit analysisProgress(key, fraction); },
+        Qt::QueuedConnection);
+}
+
 JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
     auto last = std::make_shared<QElapsedTimer>();
     last->start();
@@ -174,9 +180,7 @@ JobControl BackgroundJobs::reporting(int key, std::stop_token stop) {
         [this, key, last](double fraction) {
             if (last->elapsed() >= progress_interval_ms) {
                 last->restart();
-                QMetaObject::invokeMethod(
-                    this, [this, key, fraction] { emit analysisProgress(key, fraction); },
-                    Qt::QueuedConnection);
+                tellProgress(key, fraction);
             }
         },
         stopwatch());
@@ -187,8 +191,7 @@ void BackgroundJobs::analyse(int key, const Recording& recording, const Settings
     start<Result<AnalysisOutcome>>(
         analyses_, {Kind::analysis, key},
         [this, key, recording, settings](const Ticket& ticket) {
-            QMetaObject::invokeMethod(
-                this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
+            tellProgress(key, 0);
             return outcomeOf(recording,
                              vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
         },
@@ -215,8 +218,7 @@ void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
     start<Result<SetResult>>(
         analyses_, {Kind::identification, key},
         [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SetResult> {
-            QMetaObject::invokeMethod(
-                this, [this, key] { emit analysisStarted(key); }, Qt::QueuedConnection);
+            tellProgress(key, 0);
             const JobControl job = reporting(key, ticket.stop);
             OpenSet read = open;
             TRY(read_contents(read, ticket.stop));
@@ -281,10 +283,6 @@ RequestQueue::RequestQueue(BackgroundJobs& job) : job_(job) {
             fraction_ = fraction;
             emit progressChanged();
         }
-    });
-    connect(&job_, &BackgroundJobs::analysisStarted, this, [this] {
-        fraction_ = 0;
-        emit progressChanged();
     });
 }
 

@@ -131,10 +131,8 @@ public:
     void cancelAnalyses();
 
 signals:
-    // 0..1 of the analysis with that key.
+    // 0..1 of the analysis with that key; 0: it has begun to compute.
     void analysisProgress(int key, double fraction);
-    // The analysis with that key has begun to compute.
-    void analysisStarted(int key);
 
 private:
     struct Task {
@@ -156,6 +154,8 @@ private:
     bool isStale(const Ticket& ticket) const;
     // Lets `act` run in the window's thread, unless the job is stale by then.
     void post(const Ticket& ticket, std::function<void()> act);
+    // Emits analysisProgress() in the window's thread.
+    void tellProgress(int key, double fraction);
     JobControl reporting(int key, std::stop_token stop);
 
     quint64 generation_ = 0;
