@@ -131,7 +131,8 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
     commands_ = new Commands(WindowCommands::of(*this), this);
-    menus_ = new WindowMenus(*commands_, *tracks_, static_cast<int>(storedThemeMode()), menu_bar_);
+    menus_ = new WindowMenus(
+        *commands_, *tracks_, [this] { return static_cast<int>(theme_mode_); }, menu_bar_);
     action(Command::sigma_bands)->setChecked(tracks_->units().sigma_bands);
     action(Command::fitted_wave)->setChecked(true);
     action(Command::quit)->setMenuRole(QAction::QuitRole);
@@ -444,13 +445,9 @@ QString MainWindow::diagnosticsText() const {
     return diagnosticsOf(document_, language_.code(), theme_.dark, devicePixelRatioF());
 }
 
-ThemeMode MainWindow::storedThemeMode() {
-    return static_cast<ThemeMode>(QSettings().value(theme_key, 0).toInt());
-}
-
 void MainWindow::restoreState() {
     const QSettings settings;
-    theme_mode_ = storedThemeMode();
+    theme_mode_ = static_cast<ThemeMode>(settings.value(theme_key, 0).toInt());
     applyLook();
     document_.setLive(settings.value(live_key, true).toBool());
     setLanguage(settings.value(language_key, Language::ofTheSystem()).toString());
@@ -502,7 +499,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::setLanguage(const QString& code) {
     language_.use(code);
     QSettings().setValue(language_key, language_.code());
-    menus_->setLanguage(language_.code());
     if (help_) {
         help_->setLanguage(language_.code());
     }

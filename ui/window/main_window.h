@@ -86,7 +86,6 @@ private:
     // Of the page that is shown.
     FigureSource figures() const;
     void showHelp();
-    static ThemeMode storedThemeMode();
     void restoreState();
     void saveState();
     void applyLook();

@@ -8,10 +8,12 @@
 #include <QActionGroup>
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenuBar>
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -63,14 +65,14 @@ void RecentFiles::rebuild() {
     }
 }
 
-WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar)
+WindowMenus::WindowMenus(const Commands& commands, TrackView& tracks, std::function<int()> theme,
+                         QMenuBar* bar)
     : QObject(bar),
       commands_(commands),
       tracks_(tracks),
       bar_(bar),
       recent_(new RecentFiles(bar)),
-      languages_(new QActionGroup(this)),
-      theme_(theme) {
+      theme_(std::move(theme)) {
     QMenu* file = top(QT_TR_NOOP("&File"));
     add(file, {{Command::open}});
     file->addMenu(named(recent_, QT_TR_NOOP("Open rece&nt")));
@@ -143,15 +145,16 @@ void WindowMenus::addView() {
     add(view, {{Command::axis_limits, Command::log_a_A, Command::sigma_bands},
                {Command::sidebar, Command::wave, Command::fitted_wave},
                {}});
+    addChoice(view, QT_TR_NOOP("&Theme"),
+              {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")}, theme_,
+              [this](int mode) { emit themeChosen(mode); });
+    // A language is named in itself, so that its speakers find it.
     addChoice(
-        view, QT_TR_NOOP("&Theme"),
-        {QT_TR_NOOP("As the system"), QT_TR_NOOP("Light"), QT_TR_NOOP("Dark")},
-        [this] { return theme_; },
-        [this](int mode) {
-            theme_ = mode;
-            emit themeChosen(mode);
+        view, QT_TR_NOOP("Lang&uage"), {"English", "Русский"},
+        [] { return QLocale().language() == QLocale::Russian ? 1 : 0; },
+        [this](int language) {
+            emit languageChosen(language == 1 ? QStringLiteral("ru") : QStringLiteral("en"));
         });
-    addLanguages(view);
 }
 
 void WindowMenus::addVariables(QMenu* view) {
@@ -201,25 +204,6 @@ void WindowMenus::addUnits(QMenu* view) {
         {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")});
     add(QT_TR_NOOP("A&mplitudes in"), &DisplayUnits::amplitude,
         {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")});
-}
-
-void WindowMenus::addLanguages(QMenu* view) {
-    QMenu* language = named(view->addMenu(QString()), QT_TR_NOOP("Lang&uage"));
-    for (const auto& [code, name] : {std::pair{"en", "English"}, std::pair{"ru", "Русский"}}) {
-        // A language is named in itself, so that its speakers find it.
-        QAction* entry = language->addAction(QString::fromUtf8(name));
-        entry->setData(QString::fromLatin1(code));
-        entry->setCheckable(true);
-        languages_->addAction(entry);
-        connect(entry, &QAction::triggered, this,
-                [this, entry] { emit languageChosen(entry->data().toString()); });
-    }
-}
-
-void WindowMenus::setLanguage(const QString& code) {
-    for (QAction* action : languages_->actions()) {
-        action->setChecked(action->data().toString() == code);
-    }
 }
 
 void WindowMenus::retranslate() {

@@ -9,7 +9,6 @@
 #include <functional>
 #include <vector>
 
-class QActionGroup;
 class QMenuBar;
 
 namespace vybeg::ui {
@@ -40,10 +39,10 @@ class WindowMenus : public QObject {
 
 public:
     // `theme`: the choice in effect, as ThemeMode.
-    WindowMenus(const Commands& commands, TrackView& tracks, int theme, QMenuBar* bar);
+    WindowMenus(const Commands& commands, TrackView& tracks, std::function<int()> theme,
+                QMenuBar* bar);
 
     RecentFiles* recentFiles() const { return recent_; }
-    void setLanguage(const QString& code);
     void retranslate();
 
 signals:
@@ -66,14 +65,12 @@ private:
     void addView();
     void addVariables(QMenu* view);
     void addUnits(QMenu* view);
-    void addLanguages(QMenu* view);
 
     const Commands& commands_;
     TrackView& tracks_;
     QMenuBar* bar_;
     RecentFiles* recent_;
-    QActionGroup* languages_;
-    int theme_;
+    std::function<int()> theme_;
     std::vector<Entry> entries_;  // but for the commands
 };
 
