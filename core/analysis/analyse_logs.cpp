@@ -26,16 +26,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-double power_at(const PhasorRun& run, std::size_t k) {
-    return std::norm(run.c[k]) + std::norm(run.d[k]);
-}
-
-// Turns of the phase from a window to the next, relative to f_ref.
-double advance(const PhasorRun& run, std::size_t k) {
-    return std::arg(std::conj(run.c[k]) * run.c[k + 1] + std::conj(run.d[k]) * run.d[k + 1]) /
-           two_pi;
-}
-
 // Across the neighbours, whose noise remains.
 void put_frequency(const PhasorRun& run, std::size_t k, Track& track) {
     const std::size_t first = k > 0 ? k - 1 : 0;
@@ -45,11 +35,11 @@ void put_frequency(const PhasorRun& run, std::size_t k, Track& track) {
     }
     double turns = 0;
     for (std::size_t at = first; at < last; ++at) {
-        turns += advance(run, at);
+        turns += std::arg(run.product(at, at + 1)) / two_pi;  // relative to f_ref
     }
     const double seconds = run.time_s[last] - run.time_s[first];
-    const double before = run.sd[first] / std::sqrt(power_at(run, first));
-    const double behind = run.sd[last] / std::sqrt(power_at(run, last));
+    const double before = run.sd[first] / std::sqrt(run.power(first));
+    const double behind = run.sd[last] / std::sqrt(run.power(last));
     const std::size_t lag = last - first;
     const double shared =
         lag < run.noise_correlation.size() ? run.noise_correlation[lag] * before * behind : 0;
@@ -71,7 +61,7 @@ void put_wave(const PhasorRun& run, std::size_t k, Track& track) {
         return;
     }
     const double difference = state.a_A * state.a_A - state.a_B * state.a_B;
-    const double sd_angle = sd * std::sqrt(power_at(run, k)) / difference;
+    const double sd_angle = sd * std::sqrt(run.power(k)) / difference;
     track.put(k, SlowVariable::two_theta_A, state.two_theta_A, sd_angle);
     if (!run.phase_lost) {
         // alpha is that of the carrier at the window's centre.

@@ -23,11 +23,8 @@ const char* frame_name(PhasorFrame frame) {
 std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts(
     std::string_view text) {
     std::vector<std::pair<std::string, std::string_view>> named;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string_view part = text.substr(begin, end - begin);
+    for (const std::string_view part : parts_between(text, ',')) {
         const std::size_t equals = part.find('=');
-        begin = end + 1;
         if (equals == std::string_view::npos) {
             return std::nullopt;
         }

@@ -4,6 +4,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -232,29 +233,20 @@ private:
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::unchanged: return "unchanged";
-        case Verdict::changed: return "changed";
-        case Verdict::not_comparable: return "not comparable";
-    }
-    return "";
+    constexpr std::array names{"unchanged", "changed", "not comparable"};
+    return names[static_cast<std::size_t>(verdict)];
 }
 
 const char* incomparable_sentence(Incomparable why) {
-    switch (why) {
-        case Incomparable::other_direction:
-            return VYBEG_MESSAGE("Reason",
-                                 "It belongs to one direction, and no recording of the other side "
-                                 "starts within 3 degrees of it.");
-        case Incomparable::other_mode_order:
-            return VYBEG_MESSAGE("Reason",
-                                 "The modes of both sides are not named by the same: one by "
-                                 "frequency, the other by decay.");
-        case Incomparable::none:
-        case Incomparable::now_unknown:
-        case Incomparable::then_unknown: break;
-    }
-    return "";
+    return why == Incomparable::other_direction
+               ? VYBEG_MESSAGE("Reason",
+                               "It belongs to one direction, and no recording of the other side "
+                               "starts within 3 degrees of it.")
+           : why == Incomparable::other_mode_order
+               ? VYBEG_MESSAGE("Reason",
+                               "The modes of both sides are not named by the same: one by "
+                               "frequency, the other by decay.")
+               : "";
 }
 
 std::string incomparable_text(const Difference& difference) {

@@ -546,8 +546,8 @@ bool holds_wave(const PhasorRun& run, double neighbours, double explained) {
     std::size_t pairs = 0;
     for (std::size_t k = 1; k < run.c.size(); ++k) {
         if (goes_on(run, k)) {
-            follows += run.c[k] * std::conj(run.c[k - 1]) + run.d[k] * std::conj(run.d[k - 1]);
-            power += std::norm(run.c[k]) + std::norm(run.d[k]);
+            follows += run.product(k - 1, k);
+            power += run.power(k);
             ++pairs;
         }
     }

@@ -432,14 +432,9 @@ const std::vector<SettingRow<LogChoice>>& log_settings() {
 Result<LockIn> read_lock_in(const std::string& option, const std::string& text, double* rate_hz) {
     constexpr int most_stages = 8;
     std::vector<double> numbers;
-    for (std::string_view left = text; numbers.size() < 4;) {
-        const std::size_t comma = std::min(left.find(','), left.size());
-        const auto number = number_with_unit(left.substr(0, comma), numbers.empty() ? "" : "Hz");
+    for (const std::string_view part : parts_between(text, ',')) {
+        const auto number = number_with_unit(part, numbers.empty() ? "" : "Hz");
         numbers.push_back(number && *number > 0 && *number < 1e9 ? *number : 0);
-        if (comma == left.size()) {
-            break;
-        }
-        left.remove_prefix(comma + 1);
     }
     const bool whole_stages = numbers[0] == std::floor(numbers[0]) && numbers[0] <= most_stages;
     if (numbers.size() != (rate_hz == nullptr ? 2 : 3) || !whole_stages ||

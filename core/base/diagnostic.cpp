@@ -63,12 +63,8 @@ Severity severity(DiagnosticKind kind) {
 }
 
 std::string severity_name(Severity severity) {
-    switch (severity) {
-        case Severity::note: return "note";
-        case Severity::warning: return "warning";
-        case Severity::serious: return "serious";
-    }
-    return "";
+    constexpr std::array names{"note", "warning", "serious"};
+    return names[static_cast<std::size_t>(severity)];
 }
 
 std::string english(const Diagnostic& diagnostic) {

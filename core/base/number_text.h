@@ -1,10 +1,12 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace vybeg {
 
@@ -25,5 +27,14 @@ std::string integer_text(std::int64_t value);
 // The whole of `text` as a number (no spaces, no sign but '-', "nan" and "inf" understood), or
 // nothing.
 std::optional<double> parse_number(std::string_view text);
+
+// The whole of a text as a number of this type, in digits with a '-' at most before them.
+template <class Number>
+std::optional<Number> whole_number(std::string_view text) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    return parsed.ec == std::errc{} && parsed.ptr == end ? std::optional(number) : std::nullopt;
+}
 
 }  // namespace vybeg

@@ -1,5 +1,6 @@
 #include "core/base/plain_text.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -59,6 +60,16 @@ unsigned small_letter(unsigned code) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> parts_between(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, at), text.size());
+        parts.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return parts;
+}
 
 std::string lower_text(std::string_view text) {
     std::string small(text);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vybeg {
 
@@ -16,6 +17,9 @@ std::string plain_text(std::string_view text);
 constexpr bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
+
+// The parts of a text between separators, one or more.
+std::vector<std::string_view> parts_between(std::string_view text, char separator);
 
 // The texts that `text_of` makes of a list, with a separator between them; none after empty ones at
 // its begin.

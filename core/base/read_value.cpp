@@ -1,13 +1,11 @@
 #include "core/base/read_value.h"
 
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace vybeg {
@@ -67,7 +65,7 @@ std::optional<double> number_with_unit(std::string_view text, std::string_view u
             break;
         }
     }
-    const std::optional<double> number = parse_number(std::string(text));
+    const std::optional<double> number = parse_number(text);
     return number ? std::optional(factor * *number) : std::nullopt;
 }
 
@@ -84,32 +82,23 @@ Result<double> read_number(const std::string& option, const std::string& text,
 }
 
 Result<std::int64_t> read_whole(const std::string& option, const std::string& text) {
-    std::int64_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) {
-        return refused_value(option, text, "it must be a whole number");
-    }
-    return number;
+    const auto number = whole_number<std::int64_t>(text);
+    return number ? Result(*number) : refused_value(option, text, "it must be a whole number");
 }
 
 Result<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
                                          std::size_t count, const std::string& allowed,
                                          const std::string& unit) {
     std::vector<double> numbers;
-    bool valid = true;
-    for (std::size_t begin = 0; valid && begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::optional<double> number =
-            number_with_unit(text.substr(begin, end - begin), unit);
-        valid = number && std::isfinite(*number);
-        numbers.push_back(number.value_or(0));
-        begin = end + 1;
+    for (const std::string_view part : parts_between(text, ',')) {
+        const std::optional<double> number = number_with_unit(part, unit);
+        if (!number || !std::isfinite(*number)) {
+            return refused_value(option, text, allowed);
+        }
+        numbers.push_back(*number);
     }
-    if (!valid || numbers.size() != count) {
-        return refused_value(option, text, allowed);
-    }
-    return numbers;
+    return numbers.size() == count ? Result(std::move(numbers))
+                                   : refused_value(option, text, allowed);
 }
 
 }  // namespace vybeg

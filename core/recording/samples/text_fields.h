@@ -1,11 +1,12 @@
 #pragma once
 
-#include <charconv>
+#include "core/base/number_text.h"
+#include "core/base/plain_text.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 namespace vybeg {
@@ -22,18 +23,6 @@ inline constexpr std::string_view no_content = " \t\v\f\x1A,;|\"";
 constexpr bool are_digits(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
-
-// The whole of a text as a number of this type, in digits with a '-' at most before them.
-template <class Number>
-std::optional<Number> whole_number(std::string_view text) {
-    Number number{};
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, number);
-    return parsed.ec == std::errc{} && parsed.ptr == end ? std::optional(number) : std::nullopt;
-}
-
-// The parts of a text between separators, one or more.
-std::vector<std::string_view> parts_between(std::string_view text, char separator);
 
 // Without spaces and tabs at both ends.
 std::string_view trimmed(std::string_view text);
