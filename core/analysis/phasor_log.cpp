@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <utility>
 
@@ -55,23 +54,24 @@ double step_of(const LogRows& rows) {
     return median(std::move(steps));
 }
 
-Result<LogTable> read_columns(const std::filesystem::path& path, const OpenOptions& options,
-                              const LogChoice& choice, const SignalSettings& signal,
-                              const std::vector<ColumnRole>& roles, const JobControl& job) {
-    const auto wishes = TRY(column_wishes(choice.names, roles));
-    auto table = TRY(read_log_columns(path, options, wishes, signal, job));
+// A log, and how it is read.
+struct LogFile {
+    const std::filesystem::path& path;
+    const OpenOptions& options;
+    const LogChoice& choice;
+    const SignalSettings& signal;
+    const JobControl& job;
+};
+
+Result<LogTable> read_columns(const LogFile& log, const std::filesystem::path& path,
+                              const std::vector<ColumnRole>& roles) {
+    const auto wishes = TRY(column_wishes(log.choice.names, roles));
+    auto table = TRY(read_log_columns(path, log.options, wishes, log.signal, log.job));
     for (LogColumn& column : table.columns) {
-        const double hz = column.role.starts_with('F') ? hertz_per(column.unit).value_or(1) : 1;
+        const double hz = column.role == "F" ? hertz_per(column.unit).value_or(1) : 1;
         std::ranges::for_each(column.values, [hz](double& value) { value *= hz; });
     }
     return table;
-}
-
-// Brings Y and both columns of D to the unit of X of C.
-void share_unit(const LogColumn& x_of_c, std::initializer_list<LogColumn*> others) {
-    for (LogColumn* const other : others) {
-        bring_to_unit_of(x_of_c, *other);
-    }
 }
 
 // What the choice leaves open, or sets against the file.
@@ -80,57 +80,42 @@ Error wrong_choice(const PhasorChoice& choice, const char* what,
     return refused_value("--phasors", frame_name(choice.frame), words(what, std::move(args)));
 }
 
-// One channel: X + iY, turned by its phase.
+// One channel: X + iY, in the frame of each channel's own phase turned by that.
 struct Channel {
+    const std::filesystem::path& file;
     const LogColumn& x;
     const LogColumn& y;
-    const LogColumn* phase;  // nullptr: that of the reference
+    const LogColumn* phase;  // null: there is none
 };
 
-// Whether its phase is that of X + iY itself: one that a loop follows leaves none there.
-bool repeats_phase(const Channel& channel, const LogColumn& phase, double rad) {
+// Whether its phase, which is there, is that of X + iY itself: one that a loop follows leaves none
+// there.
+bool repeats_phase(const Channel& channel, double rad) {
     constexpr double alike = 0.01;
+    const std::vector<double>& phase = channel.phase->values;
     std::size_t own = 0;
     std::size_t turned = 0;
-    for (std::size_t k = 0; k < phase.values.size(); ++k) {
+    for (std::size_t k = 0; k < phase.size(); ++k) {
         const double of_x_y = std::atan2(channel.y.values[k], channel.x.values[k]);
-        own += std::abs(std::remainder(rad * phase.values[k] - of_x_y, 2 * pi)) < alike ? 1U : 0U;
+        own += std::abs(std::remainder(rad * phase[k] - of_x_y, 2 * pi)) < alike ? 1U : 0U;
         turned += std::abs(of_x_y) > alike ? 1U : 0U;
     }
-    return 10 * own > 9 * phase.values.size() && 2 * turned > phase.values.size();
+    return 10 * own > 9 * phase.size() && 2 * turned > phase.size();
 }
 
-// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: what
-// it holds of the carrier; 0 of any other phase.
-double carrier_in(double rad, const LogColumn& phase, const std::vector<double>& time_s) {
-    std::vector<double> rates;
-    std::size_t fast = 0;
-    for (std::size_t k = 1; k < time_s.size(); ++k) {
-        const double turns = rad * (phase.values[k] - phase.values[k - 1]) / (2 * pi);
-        if (std::isfinite(turns)) {
-            rates.push_back(turns / (time_s[k] - time_s[k - 1]));
-            fast += std::abs(turns) > 0.5 ? 1U : 0U;
-        }
-    }
-    return 10 * fast > 9 * rates.size() ? median(std::move(rates)) : 0;
-}
-
-// The phasors of a channel at `time_s`, relative to the reference and the frequency `carrier_hz`,
-// which is taken out of its own phase.
-Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const Channel& channel,
-                                        const LogChoice& choice, const std::vector<double>& time_s,
-                                        double carrier_hz) {
-    const PhasorChoice& how = choice.phasors;
+Result<std::vector<Complex>> phasors_of(const LogFile& log, const Channel& channel) {
+    const PhasorChoice& how = log.choice.phasors;
     std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
         phasors[k] =
             how.peak_per_unit * Complex(channel.x.values[k], how.y_sign * channel.y.values[k]);
     }
-    if (channel.phase == nullptr) {
+    if (how.frame != PhasorFrame::pll || channel.phase == nullptr) {
         return phasors;
     }
-    const double rad = TRY(angle_factor(path, *channel.phase, choice.rad_per_angle_unit));
-    if (repeats_phase(channel, *channel.phase, rad)) {
+    const double rad =
+        TRY(angle_factor(channel.file, *channel.phase, log.choice.rad_per_angle_unit));
+    if (repeats_phase(channel, rad)) {
         return wrong_choice(how,
                             VYBEG_MESSAGE("Words",
                                           "column %1 is the phase of X + iY itself: choose "
@@ -138,47 +123,23 @@ Result<std::vector<Complex>> phasors_of(const std::filesystem::path& path, const
                             {channel.phase->name});
     }
     for (std::size_t k = 0; k < phasors.size(); ++k) {
-        const double turns = rad * channel.phase->values[k] / (2 * pi) - carrier_hz * time_s[k];
-        phasors[k] *= std::polar(1.0, 2 * pi * std::remainder(turns, 1.0));
+        phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
     }
     return phasors;
 }
 
-// Frequency that a phase holds of the carrier, Hz; 0: nothing. Errors: those of
-// angle_factor(); setting_invalid where it is that of the reference as well.
-Result<double> carrier_in_phase(const std::filesystem::path& path, const LogColumn* phase,
-                                const LogChoice& choice, const std::vector<double>& time_s) {
-    if (phase == nullptr) {
-        return 0;
-    }
-    const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-    const double carrier_hz = carrier_in(rad, *phase, time_s);
-    const double f_ref_hz = choice.phasors.f_ref_hz;
-    constexpr double near = 0.05;  // the oscillator is nearer to the wave
-    if (f_ref_hz > 0 && std::abs(carrier_hz / f_ref_hz - 1) < near) {
-        return wrong_choice(choice.phasors,
-                            VYBEG_MESSAGE("Words",
-                                          "the phase in column %1 goes on by the whole carrier, "
-                                          "%2: it is relative to no reference; leave --f-ref out"),
-                            {phase->name, number_arg(carrier_hz, 10, "Hz")});
-    }
-    return carrier_hz;
-}
-
 // A phase beside the phasors that moves, and that the declared frame leaves aside.
-Status check_left_aside(const std::filesystem::path& path, const Channel& channel,
-                        const LogChoice& choice, PhasorFrame of_phase) {
+Status check_left_aside(const LogFile& log, const Channel& channel, PhasorFrame of_phase) {
     constexpr double harmless_rad = 0.01 * 2 * pi;
     if (channel.phase == nullptr) {
         return {};
     }
-    const auto rad = angle_factor(path, *channel.phase, choice.rad_per_angle_unit);
+    const auto rad = angle_factor(channel.file, *channel.phase, log.choice.rad_per_angle_unit);
     const auto [least, most] = range_of(*channel.phase);
-    if (!rad || !(*rad * (most - least) > harmless_rad) ||
-        repeats_phase(channel, *channel.phase, *rad)) {
+    if (!rad || !(*rad * (most - least) > harmless_rad) || repeats_phase(channel, *rad)) {
         return {};
     }
-    return wrong_choice(choice.phasors,
+    return wrong_choice(log.choice.phasors,
                         VYBEG_MESSAGE("Words",
                                       "the phase in column %1 moves, so that this is not the "
                                       "frame: choose --phasors %2"),
@@ -254,25 +215,10 @@ bool is_another(double hz, double other_hz) {
     return std::abs(hz - other_hz) > five_digits * other_hz;
 }
 
-// Channels whose references differ have a phase to each other that nothing tells.
-Status check_references(const PhasorChoice& how, const LogColumn* of_c, const LogColumn* of_d) {
-    if (how.frame != PhasorFrame::common && of_c != nullptr && of_d != nullptr &&
-        is_another(median(of_d->values), median(of_c->values))) {
-        return wrong_choice(how,
-                            VYBEG_MESSAGE("Words",
-                                          "the reference of channel D is %1, that of channel C "
-                                          "%2: record both with one oscillator"),
-                            {number_arg(median(of_d->values), 10, "Hz"),
-                             number_arg(median(of_c->values), 10, "Hz")});
-    }
-    return {};
-}
-
-// The reference of the rows, whose phasors it turns where it moves; `carrier_hz` is in their own
-// phases.
-Status refer(const LogColumn* frequency, const LogColumn* phase, const std::filesystem::path& path,
-             const LogChoice& choice, double carrier_hz, LogRows& rows) {
-    const PhasorChoice& how = choice.phasors;
+// The reference of the rows, whose phasors it turns where it moves.
+Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* phase,
+             LogRows& rows) {
+    const PhasorChoice& how = log.choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
         const auto [least, most] = range_of(*frequency);
@@ -303,34 +249,22 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
                                           "phase: name it F or P in --columns"));
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
-        const double rad = TRY(angle_factor(path, *phase, choice.rad_per_angle_unit));
-        carrier_hz = TRY(carrier_in_phase(path, phase, choice, rows.time_s));
-        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
-            const double turns = rad * phase->values[k] / (2 * pi) - carrier_hz * rows.time_s[k];
-            rows.turn.push_back(std::polar(1.0, 2 * pi * std::remainder(turns, 1.0)));
+        const double rad = TRY(angle_factor(log.path, *phase, log.choice.rad_per_angle_unit));
+        for (const double angle : phase->values) {
+            rows.turn.push_back(std::polar(1.0, rad * angle));
         }
-        if (frequency != nullptr && rows.f_ref_hz + carrier_hz == 0) {
+        if (frequency != nullptr && rows.f_ref_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
         const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
-        // An oscillator of less than half the rows' rate is none: these are deviations.
-        const bool deviates = std::abs(mean_hz) < 0.5 / step_of(rows);
-        if (deviates && !(how.f_ref_hz > 0)) {
-            return wrong_choice(how,
-                                VYBEG_MESSAGE("Words",
-                                              "column %1 holds deviations of a frequency: give the "
-                                              "frequency by --f-ref"),
-                                {frequency->name});
-        }
-        rows.f_ref_hz = mean_hz + (deviates ? how.f_ref_hz : 0);
+        rows.f_ref_hz = mean_hz;
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
     }
     if (!rows.turn.empty()) {
         turn_rows(rows, [&](std::size_t k) { return rows.turn[k]; });
     }
-    rows.f_ref_hz += carrier_hz;
     if (!(rows.f_ref_hz > 0)) {
         return wrong_choice(
             how, VYBEG_MESSAGE("Words",
@@ -339,84 +273,73 @@ Status refer(const LogColumn* frequency, const LogColumn* phase, const std::file
     return {};
 }
 
-Result<LogRows> rows_of_one_table(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const SignalSettings& signal,
-                                  const JobControl& job) {
-    const bool own = choice.phasors.frame == PhasorFrame::pll;
-    auto columns =
-        TRY(read_columns(path, options, choice, signal, roles_of_both(choice.phasors.frame), job));
-    share_unit(columns.of("Xc"), {&columns.of("Yc"), &columns.of("Xd"), &columns.of("Yd")});
-    LogRows rows;
-    rows.time_s = columns.time_s;
-    const auto channel = [&](const char* x, const char* y, const char* phase) {
-        return Channel{columns.of(x), columns.of(y), columns.find(phase)};
+// One table holds both channels, or each has its own.
+Result<LogRows> read_rows(const LogFile& log) {
+    const PhasorFrame frame = log.choice.phasors.frame;
+    const std::filesystem::path d_file = log.options.channel_d_file;
+    const bool apart = !d_file.empty();
+    const auto roles = apart ? roles_of_one(frame) : roles_of_both(frame);
+    auto of_c = TRY(read_columns(log, log.path, roles));
+    auto second = TRY(apart ? read_columns(log, d_file, roles) : Result(LogTable{}));
+    LogTable& of_d = apart ? second : of_c;
+    const auto column = [apart](LogTable & table, const char* role_apart,
+                                const char* role) -> auto& {
+        return table.of(apart ? role_apart : role);
     };
-    const Channel of_c = channel("Xc", "Yc", own ? "Pc" : "");
-    const Channel of_d = channel("Xd", "Yd", own ? "Pd" : "");
-    if (!own) {
-        TRY(check_left_aside(path, channel("Xc", "Yc", "Pc"), choice, PhasorFrame::pll));
-        TRY(check_left_aside(path, channel("Xd", "Yd", "Pd"), choice, PhasorFrame::pll));
+    LogColumn& x_c = column(of_c, "X", "Xc");
+    LogColumn& y_c = column(of_c, "Y", "Yc");
+    LogColumn& x_d = column(of_d, "X", "Xd");
+    LogColumn& y_d = column(of_d, "Y", "Yd");
+    for (LogColumn* const other : {&y_c, &x_d, &y_d}) {
+        bring_to_unit_of(x_c, *other);
     }
-    if (choice.phasors.frame == PhasorFrame::fixed) {
-        TRY(check_left_aside(path, channel("Xc", "Yc", "P"), choice, PhasorFrame::common));
-    }
-    const double carrier_hz = TRY(carrier_in_phase(path, of_c.phase, choice, rows.time_s));
-    auto c = TRY(phasors_of(path, of_c, choice, rows.time_s, carrier_hz));
-    rows.c = std::move(c);
-    auto d = TRY(phasors_of(path, of_d, choice, rows.time_s, carrier_hz));
-    rows.d = std::move(d);
-    TRY(check_references(choice.phasors, columns.find("F"), columns.find("Fd")));
-    TRY(refer(columns.find("F"), columns.find("P"), path, choice, carrier_hz, rows));
-    return rows;
-}
-
-Result<LogRows> rows_of_two_tables(const std::filesystem::path& path, const OpenOptions& options,
-                                   const LogChoice& choice, const SignalSettings& signal,
-                                   const JobControl& job) {
-    const bool own = choice.phasors.frame == PhasorFrame::pll;
-    const auto roles = roles_of_one(choice.phasors.frame);
-    auto of_c = TRY(read_columns(path, options, choice, signal, roles, job));
-    auto of_d = TRY(read_columns(options.channel_d_file, options, choice, signal, roles, job));
-    share_unit(of_c.of("X"), {&of_c.of("Y"), &of_d.of("X"), &of_d.of("Y")});
+    const Channel c{log.path, x_c, y_c, of_c.find(apart ? "P" : "Pc")};
+    const Channel d{apart ? d_file : log.path, x_d, y_d, of_d.find(apart ? "P" : "Pd")};
     const auto& t = of_c.time_s;
-    const auto& other = of_d.time_s;
-    const std::size_t count = std::min(t.size(), other.size());
-    LogRows rows;
-    for (std::size_t k = 0; k < count; ++k) {
+    const auto& t_of_d = of_d.time_s;
+    const std::size_t count = std::min(t.size(), t_of_d.size());
+    for (std::size_t k = 0; apart && k < count; ++k) {
         const double step = k > 0 ? t[k] - t[k - 1] : t[std::min(k + 1, count - 1)] - t[k];
-        if (std::abs(other[k] - t[k] + of_d.begun_s - of_c.begun_s) > step / 100) {
-            return refused_value("--channel-d", options.channel_d_file,
+        if (std::abs(t_of_d[k] - t[k] + of_d.begun_s - of_c.begun_s) > step / 100) {
+            return refused_value("--channel-d", d_file.string(),
                                  "its times are not those of channel C: export both demodulators "
                                  "with the same times");
         }
     }
-    rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    const double carrier_hz =
-        TRY(carrier_in_phase(path, own ? of_c.find("P") : nullptr, choice, of_c.time_s));
-    std::vector<double> by_times_of_c = other;
-    for (double& time_s : by_times_of_c) {
-        time_s += of_d.begun_s - of_c.begun_s;
+    if (!apart && frame != PhasorFrame::pll) {
+        TRY(check_left_aside(log, c, PhasorFrame::pll));
+        TRY(check_left_aside(log, d, PhasorFrame::pll));
     }
-    const auto channel = [&](LogTable& from, const std::filesystem::path& file,
-                             const std::vector<double>& time_s) {
-        return phasors_of(file, {from.of("X"), from.of("Y"), own ? from.find("P") : nullptr},
-                          choice, time_s, carrier_hz);
-    };
-    auto c = TRY(channel(of_c, path, t));
-    rows.c = std::move(c);
-    auto d = TRY(channel(of_d, options.channel_d_file, by_times_of_c));
-    rows.d = std::move(d);
+    if (!apart && frame == PhasorFrame::fixed) {
+        TRY(check_left_aside(log, {log.path, x_c, y_c, of_c.find("P")}, PhasorFrame::common));
+    }
+    LogRows rows;
+    rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
+    auto phasors_c = TRY(phasors_of(log, c));
+    rows.c = std::move(phasors_c);
+    auto phasors_d = TRY(phasors_of(log, d));
+    rows.d = std::move(phasors_d);
     rows.c.resize(count);
     rows.d.resize(count);
-    if (t.size() != other.size()) {
+    if (t.size() != t_of_d.size()) {
         // Behind the name of the log, which comes before all that is said of it.
-        rows.warnings.push_back({DiagnosticKind::channels_unequal,
-                                 {count_arg(static_cast<std::int64_t>(t.size())),
-                                  std::filesystem::path(options.channel_d_file).filename().string(),
-                                  count_arg(static_cast<std::int64_t>(other.size()))}});
+        rows.warnings.push_back(
+            {DiagnosticKind::channels_unequal,
+             {count_arg(static_cast<std::int64_t>(t.size())), d_file.filename().string(),
+              count_arg(static_cast<std::int64_t>(t_of_d.size()))}});
     }
-    TRY(check_references(choice.phasors, of_c.find("F"), of_d.find("F")));
-    TRY(refer(of_c.find("F"), of_c.find("P"), path, choice, carrier_hz, rows));
+    const LogColumn* const f_c = of_c.find("F");
+    const LogColumn* const f_d = of_d.find("F");
+    if (apart && frame == PhasorFrame::fixed && f_c != nullptr && f_d != nullptr &&
+        is_another(median(f_d->values), median(f_c->values))) {
+        return refused_value("--channel-d", d_file.string(),
+                             words(VYBEG_MESSAGE("Words",
+                                                 "its reference is %1, that of channel C %2: "
+                                                 "record both with one oscillator"),
+                                   {number_arg(median(f_d->values), 10, "Hz"),
+                                    number_arg(median(f_c->values), 10, "Hz")}));
+    }
+    TRY(refer(log, f_c, of_c.find("P"), rows));
     return rows;
 }
 
@@ -567,8 +490,7 @@ std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
             {"Pc", {"Pc", "Input 1 Phase"}, own},
             {"Pd", {"Pd", "Input 2 Phase"}, own},
             {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
-            {"P", {"P"}, false},
-            {"Fd", {"Input 2 Set Frequency"}, false}};
+            {"P", {"P"}, false}};
 }
 
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
@@ -583,9 +505,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
                                   const LogChoice& choice, const SignalSettings& signal,
                                   const JobControl& job) {
     TRY(check_told(choice.phasors));
-    auto rows = TRY(options.channel_d_file.empty()
-                        ? rows_of_one_table(path, options, choice, signal, job)
-                        : rows_of_two_tables(path, options, choice, signal, job));
+    auto rows = TRY(read_rows({path, options, choice, signal, job}));
     drop_missing(rows);
     constexpr std::size_t least_rows = 8;
     if (rows.time_s.size() < least_rows) {
