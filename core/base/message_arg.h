@@ -9,11 +9,18 @@
 #include <utility>
 #include <vector>
 
-// Marks a text for lupdate, as QT_TRANSLATE_NOOP does (ui/CMakeLists.txt names this alias); core
-// itself has no translations.
+// Mark texts for lupdate, as QT_TRANSLATE_NOOP and Q_DECLARE_TR_FUNCTIONS do (ui/CMakeLists.txt
+// names these aliases); core itself has no translations.
 #define VYBEG_MESSAGE(context, text) text
+#define VYBEG_CONTEXT(context)
 
 namespace vybeg {
+
+// The sentences of errors and diagnostics.
+struct Sentence {
+    VYBEG_CONTEXT(Message)
+    static constexpr const char* tr(const char* text) { return text; }
+};
 
 // One argument of a message: a text as it is (a name, a path, what a file holds), a number with its
 // unit, fixed words with arguments of their own, which the desktop program translates (context

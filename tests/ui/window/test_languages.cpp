@@ -259,6 +259,7 @@ private slots:
         lupdate.setWorkingDirectory(VYBEG_SOURCE_DIR);
         lupdate.start(VYBEG_LUPDATE, {"-silent", "-I", ".", "-locations", "none", "-no-obsolete",
                                       "-tr-function-alias", "QT_TRANSLATE_NOOP+=VYBEG_MESSAGE",
+                                      "-tr-function-alias", "Q_DECLARE_TR_FUNCTIONS+=VYBEG_CONTEXT",
                                       "ui", "app", "core", "-ts", copy});
         QVERIFY(lupdate.waitForFinished(60000));
         QCOMPARE(lupdate.exitCode(), 0);
