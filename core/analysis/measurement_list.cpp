@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <iterator>
 #include <map>
 #include <set>
 #include <system_error>
@@ -22,8 +23,8 @@
 namespace vybeg {
 namespace {
 
-constexpr std::array conditions{"gyro",      "date",     "bias_v", "temperature_c",
-                                "exchanged", "operator", "comment"};
+constexpr std::array own_columns{"file",          "set",       "gyro",     "date",   "bias_v",
+                                 "temperature_c", "exchanged", "operator", "comment"};
 
 // Options of one fit, and what logs are. Their other companions belong to single recordings.
 const std::vector<std::string>& options_of_a_set() {
@@ -60,8 +61,7 @@ std::string column_name(const std::string& name) {
     const std::string usual = usual_column(name);
     std::string condition = usual;
     std::ranges::replace(condition, '-', '_');
-    if (condition == "file" || condition == "set" || condition == "gyro_type" ||
-        is_one_of(conditions, condition)) {
+    if (condition == "gyro_type" || is_one_of(own_columns, condition)) {
         return condition;
     }
     return placeholder_of(usual) ? usual : name;
@@ -69,8 +69,7 @@ std::string column_name(const std::string& name) {
 
 // The column with an effect whose name an unknown one resembles; empty: none.
 std::string option_like(const std::string& name) {
-    std::vector<std::string> known{"file", "set"};
-    known.insert(known.end(), conditions.begin(), conditions.end());
+    std::vector<std::string> known(own_columns.begin(), own_columns.end());
     const auto add = [&known](const auto& rows) {
         for (const auto& row : rows) {
             known.push_back(row.name);
@@ -117,8 +116,7 @@ private:
                 list_.warnings.push_back({DiagnosticKind::option_without_effect,
                                           {"--" + name, "an identification does not use it"}});
             }
-            if (!name.empty() && name != "file" && name != "set" && !is_one_of(conditions, name) &&
-                !placeholder_of(name)) {
+            if (!name.empty() && !is_one_of(own_columns, name) && !placeholder_of(name)) {
                 list_.other_columns.push_back(name);
                 if (const std::string option = option_like(name); !option.empty()) {
                     list_.warnings.push_back({DiagnosticKind::column_like_option, {name, option}});
@@ -381,17 +379,8 @@ std::string first_told(const MeasurementSet& set, std::string Conditions::*membe
 
 std::string side_by_side(const MeasurementSet& set, auto text_of) {
     std::vector<std::string> texts;
-    for (const RecordingRef& recording : set.recordings) {
-        texts.push_back(text_of(recording));
-    }
-    const auto differs = [&texts](const std::string& text) { return text != texts.front(); };
-    std::string joined = texts.empty() ? "" : texts.front();
-    if (std::ranges::any_of(texts, differs)) {
-        for (std::size_t k = 1; k < texts.size(); ++k) {
-            joined += ";" + texts[k];
-        }
-    }
-    return joined;
+    std::ranges::transform(set.recordings, std::back_inserter(texts), text_of);
+    return one_or_each(texts, ";");
 }
 
 }  // namespace

@@ -143,8 +143,14 @@ SettingRow<S> snap_row(Part part) {
 // given.
 template <class S, class Part>
 SettingRow<S> window_row(const std::string& help, Part part, Bounds bounds) {
-    SettingRow<S> row = whole_row<S>(
-        {"window", "N", help}, [=](auto& s) -> auto& { return part(s).window; }, bounds, "default");
+    SettingRow<S> row = value_row<std::int64_t>(
+        SettingRow<S>{"window", "N", help}, [=](auto& s) -> auto& { return part(s).window; },
+        [](const std::string& from) { return read_whole("--window", from); }, integer_text,
+        [bounds](std::int64_t window) {
+            return within(bounds, "--window", static_cast<double>(window));
+        },
+        "default");
+    row.bounds = {bounds};
     row.check = [part, check = row.check](const S& settings) {
         return part(settings).periods ? Status() : check(settings);
     };
@@ -390,18 +396,6 @@ Status first_fault(const Rows<S>& rows, const S& settings) {
     return {};
 }
 
-// The value of a row that all recordings share, or those of each.
-std::string in_one(const std::vector<std::vector<NamedValue>>& each, std::size_t row) {
-    const std::string& first = each.front()[row].second;
-    std::string values;
-    bool same = true;
-    for (const std::vector<NamedValue>& list : each) {
-        same = same && list[row].second == first;
-        values += (values.empty() ? "" : "; ") + list[row].second;
-    }
-    return same ? first : values;
-}
-
 }  // namespace
 
 bool same_carrier_search(const SignalSettings& a, SignalSettings b) {
@@ -479,19 +473,19 @@ std::vector<NamedValue> settings_list(const Settings& settings) {
 }
 
 std::vector<NamedValue> settings_list(const IdentifySettings& settings) {
-    std::vector<NamedValue> list = listed(identify_settings(), settings);
-    std::vector<std::vector<NamedValue>> each;
-    for (const SignalSettings& signal : settings.of_recordings) {
-        IdentifySettings one = settings;
-        one.signal = signal;
-        each.push_back(listed(identify_settings(), one));
+    IdentifySettings one = settings;
+    std::vector<NamedValue> list;
+    for (const SettingRow<IdentifySettings>& row : identify_settings()) {
+        std::vector<std::string> texts;
+        for (std::size_t k = 0; k == 0 || k < settings.of_recordings.size(); ++k) {
+            one.signal = settings.signal_of(k);
+            texts.push_back(row.text(one));
+        }
+        std::string value = one_or_each(texts, "; ");
+        if (row.has_part && (row_named(log_settings(), row.name) == nullptr || value != not_set)) {
+            list.emplace_back(row.name, std::move(value));
+        }
     }
-    for (std::size_t row = 0; !each.empty() && row < list.size(); ++row) {
-        list[row].second = in_one(each, row);
-    }
-    std::erase_if(list, [](const NamedValue& each) {
-        return row_named(log_settings(), each.first) != nullptr && each.second == not_set;
-    });
     return list;
 }
 

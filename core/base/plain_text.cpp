@@ -71,6 +71,16 @@ std::vector<std::string_view> parts_between(std::string_view text, char separato
     return parts;
 }
 
+std::string one_or_each(const std::vector<std::string>& texts, std::string_view separator) {
+    std::string all = texts.empty() ? "" : texts.front();
+    if (std::ranges::count(texts, all) != std::ssize(texts)) {
+        for (std::size_t k = 1; k < texts.size(); ++k) {
+            all.append(separator).append(texts[k]);
+        }
+    }
+    return all;
+}
+
 std::string lower_text(std::string_view text) {
     std::string small(text);
     for (std::size_t i = 0; i < small.size(); ++i) {

@@ -33,6 +33,9 @@ std::string joined(const List& list, std::string_view separator, const TextOf& t
     return text;
 }
 
+// The text that all of them are, or each of them with a separator between; empty of none.
+std::string one_or_each(const std::vector<std::string>& texts, std::string_view separator);
+
 // Small letters of the Latin alphabets of western Europe and of the Cyrillic ones, in UTF-8.
 std::string lower_text(std::string_view text);
 

@@ -142,19 +142,6 @@ SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
         [=, option = row.option()](double value) { return within(bounds, option, value); });
 }
 
-template <class S, class Access>
-SettingRow<S> whole_row(SettingRow<S> row, Access access, Bounds bounds, const std::string& unset) {
-    row.bounds = {bounds};
-    return value_row<std::int64_t>(
-        row, access,
-        [option = row.option()](const std::string& from) { return read_whole(option, from); },
-        integer_text,
-        [=, option = row.option()](std::int64_t value) {
-            return within(bounds, option, static_cast<double>(value));
-        },
-        unset);
-}
-
 // A number of 1 or more, for which a field of 0 stands where it is not set.
 template <class S, class Access>
 SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& unset, Bounds bounds) {

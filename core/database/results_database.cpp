@@ -290,27 +290,22 @@ void ResultsDatabase::connect(WhenWaiting waits) {
             sqlite3_sleep(pause_ms);
             return true;
         });
-    const auto look = [this] {
-        SqliteTransaction transaction(*connection_, "BEGIN");
-        return look_at(*connection_);
-    };
     if (access_ == Access::read) {
         connection_->run("PRAGMA query_only = ON");
-        const Found found = look();
-        if (is_new(found)) {
-            throw OtherFile{words(VYBEG_MESSAGE("Words", "it holds no results"))};
-        }
-        check_kind(found);
-        return;
     }
-    const Found found = look();
+    const Found found = [this] {
+        SqliteTransaction transaction(*connection_, "BEGIN");
+        return look_at(*connection_);
+    }();
     if (!is_new(found)) {
         check_kind(found);
+    } else if (access_ == Access::read) {
+        throw OtherFile{words(VYBEG_MESSAGE("Words", "it holds no results"))};
     }
-    if (connection_->read_only()) {
+    if (access_ == Access::write && connection_->read_only()) {
         throw SqliteFailure(SQLITE_READONLY, 0, "");
     }
-    if (found.schema < results_schema) {
+    if (access_ == Access::write && found.schema < results_schema) {
         make_tables(*connection_);
     }
 }
