@@ -216,11 +216,6 @@ SettingRow<Settings> initial_row() {
         row, [](auto& s) -> auto& { return s.initial; }, read_initial, initial_text, check);
 }
 
-constexpr std::array<std::pair<const char*, FitOptions::Model>, 3> models{
-    {{"auto", FitOptions::Model::automatic},
-     {"structured", FitOptions::Model::structured},
-     {"free", FitOptions::Model::free}}};
-
 Tolerance assumed() {
     Tolerance tolerance;
     for (const ToleranceInUse& each : tolerances_in_use({}, 1)) {
@@ -298,9 +293,10 @@ Rows<S> log_rows(Part part) {
             {"angle-unit", "deg|rad|cyc",
              "Unit of theta, or of the phases, where the file does not tell it; cyc: whole turns"},
             [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
-            std::array{std::pair{not_set.c_str(), log_angle_units[0]},
-                       std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
-                       std::pair{"cyc", log_angle_units[3]}},
+            {{not_set, log_angle_units[0]},
+             {"deg", log_angle_units[1]},
+             {"rad", log_angle_units[2]},
+             {"cyc", log_angle_units[3]}},
             "it is deg, rad or cyc"),
         choice_row<S>(
             {"phasors", "fixed|common|pll",
@@ -308,24 +304,21 @@ Rows<S> log_rows(Part part) {
              "relative to one frequency, to an oscillator that moves (column F or P), or each "
              "channel to its own phase (Pc,Pd)"},
             [=](auto& s) -> auto& { return phasors(s).frame; },
-            std::array{std::pair{not_set.c_str(), PhasorFrame::none},
-                       std::pair{"fixed", PhasorFrame::fixed},
-                       std::pair{"common", PhasorFrame::common},
-                       std::pair{"pll", PhasorFrame::pll}},
+            {{not_set, PhasorFrame::none},
+             {"fixed", PhasorFrame::fixed},
+             {"common", PhasorFrame::common},
+             {"pll", PhasorFrame::pll}},
             "it is fixed, common or pll"),
         f_ref_row<S>(part),
         choice_row<S>(
             {"y-sign", "+|-",
              "With --phasors: the signal is Re((X + iY) e^iwt) or Re((X - iY) e^iwt)"},
             [=](auto& s) -> auto& { return phasors(s).y_sign; },
-            std::array{std::pair{not_set.c_str(), 0}, std::pair{"+", 1}, std::pair{"-", -1}},
-            "it is + or -"),
+            {{not_set, 0}, {"+", 1}, {"-", -1}}, "it is + or -"),
         choice_row<S>(
             {"amplitude", "peak|rms", "With --phasors: what sqrt(X^2 + Y^2) is"},
             [=](auto& s) -> auto& { return phasors(s).peak_per_unit; },
-            std::array{std::pair{not_set.c_str(), 0.0}, std::pair{"peak", 1.0},
-                       std::pair{"rms", std::numbers::sqrt2}},
-            "it is peak or rms"),
+            {{not_set, 0}, {"peak", 1}, {"rms", std::numbers::sqrt2}}, "it is peak or rms"),
         lock_in_row<S>(part)};
 }
 
@@ -358,8 +351,7 @@ Rows<Settings> rows_of_analysis() {
                "conjugate-gradient starts each window from in-phase or from the window before "
                "(default first)"},
               [](auto& s) -> auto& { return s.start; },
-              std::array{std::pair{"first", StartRule::first},
-                         std::pair{"previous", StartRule::previous}},
+              {{"first", StartRule::first}, {"previous", StartRule::previous}},
               "it is first or previous")},
          signal_rows<Settings>(whole),
          {threads_row<Settings>()}});
@@ -377,7 +369,11 @@ Rows<IdentifySettings> rows_of_identification() {
               {"model", "NAME",
                "auto (default), structured (the pick-offs are a calibrated pair) or free (only "
                "the modes)"},
-              [](auto& s) -> auto& { return s.model; }, models, "it is auto, structured or free"),
+              [](auto& s) -> auto& { return s.model; },
+              {{"auto", FitOptions::Model::automatic},
+               {"structured", FitOptions::Model::structured},
+               {"free", FitOptions::Model::free}},
+              "it is auto, structured or free"),
           window_row<IdentifySettings>(
               "Window length, samples (default: 15 ms, 12 periods at least)", windows,
               {16, most_number, "the resonator's fit needs at least 16 samples"}),

@@ -6,7 +6,6 @@
 #include "core/base/result.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -95,13 +94,15 @@ inline Status within(const Bounds& bounds, const std::string& option, double val
                : refused_value(option, short_text(value, 12), bounds.allowed);
 }
 
+template <class S, class Access>
+using FieldOf = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
+
 // The field that `access` returns is a T or an optional T, whose text where it is not there is
 // `unset`. `read` makes a Result<T> of a text, `text` a text of a T, `check` a Status of a T.
 template <class T, class S, class Access, class Read, class Text, class Check>
 SettingRow<S> value_row(SettingRow<S> row, Access access, Read read, Text text, Check check,
                         const std::string& unset = not_set) {
-    using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
-    constexpr bool may_be_unset = std::is_same_v<Field, std::optional<T>>;
+    constexpr bool may_be_unset = std::is_same_v<FieldOf<S, Access>, std::optional<T>>;
     row.read = [=](const std::string& from, S& settings) -> Status {
         if constexpr (may_be_unset) {
             if (from == unset) {
@@ -145,7 +146,6 @@ SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
 // A number of 1 or more, for which a field of 0 stands where it is not set.
 template <class S, class Access>
 SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& unset, Bounds bounds) {
-    using Field = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
     row.bounds = {bounds};
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
         const auto value = TRY(from == unset ? 0 : read_whole(option, from));
@@ -153,7 +153,7 @@ SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& uns
         if (from != unset && !(number >= 1 && number <= bounds.most)) {
             return refused_value(option, from, bounds.allowed);
         }
-        access(settings) = static_cast<Field>(value);
+        access(settings) = static_cast<FieldOf<S, Access>>(value);
         return {};
     };
     row.text = [=](const S& settings) {
@@ -167,9 +167,9 @@ SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& uns
 }
 
 // A field of few values, each with its word.
-template <class S, class Access, class Value, std::size_t count>
+template <class S, class Access>
 SettingRow<S> choice_row(SettingRow<S> row, Access access,
-                         std::array<std::pair<const char*, Value>, count> words,
+                         const std::vector<std::pair<std::string, FieldOf<S, Access>>>& words,
                          const std::string& allowed) {
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
         for (const auto& [word, value] : words) {
@@ -183,7 +183,7 @@ SettingRow<S> choice_row(SettingRow<S> row, Access access,
     row.text = [=](const S& settings) {
         for (const auto& [word, value] : words) {
             if (access(settings) == value) {
-                return std::string(word);
+                return word;
             }
         }
         return std::string();
@@ -193,9 +193,7 @@ SettingRow<S> choice_row(SettingRow<S> row, Access access,
 
 template <class S, class Access>
 SettingRow<S> switch_row(SettingRow<S> row, Access access) {
-    return choice_row(std::move(row), access,
-                      std::array{std::pair{"yes", true}, std::pair{"no", false}},
-                      "it is yes or no");
+    return choice_row(std::move(row), access, {{"yes", true}, {"no", false}}, "it is yes or no");
 }
 
 // What has no bounds of its own.

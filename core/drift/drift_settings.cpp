@@ -2,7 +2,6 @@
 
 #include "core/recording/samples/open_table.h"
 
-#include <array>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -31,8 +30,7 @@ Row angle_unit_row() {
         {"angle-unit", "deg|rad|cyc",
          "Unit of theta where the file does not tell it; cyc: whole turns"},
         [](auto& s) -> auto& { return s.log.rad_per_angle_unit; },
-        std::array{std::pair{"deg", log_angle_units[1]}, std::pair{"rad", log_angle_units[2]},
-                   std::pair{"cyc", log_angle_units[3]}},
+        {{"deg", log_angle_units[1]}, {"rad", log_angle_units[2]}, {"cyc", log_angle_units[3]}},
         "it is deg, rad or cyc");
 }
 
