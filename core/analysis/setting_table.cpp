@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 
 namespace vybeg {
@@ -22,13 +23,13 @@ constexpr double most_number = std::numeric_limits<double>::max();
 template <class S>
 using Rows = std::vector<SettingRow<S>>;
 
-template <class S, class Access>
-SettingRow<S> band_row(SettingRow<S> row, Access access) {
+SettingRow<SignalSettings> band_row(SettingRow<SignalSettings> row,
+                                    std::optional<Band> SignalSettings::*member) {
     const Bounds low{0, most_number, "a band needs a low edge of at least 0 Hz and a higher edge"};
     const Bounds high{above_zero, low.most, low.allowed};
     row.bounds = {low, high};
     return value_row<Band>(
-        row, access,
+        row, [=](auto& s) -> auto& { return s.*member; },
         [option = row.option()](const std::string& from) -> Result<Band> {
             const auto edges =
                 read_numbers(option, from, 2, "it must be two frequencies in Hz, LO,HI", "Hz");
@@ -46,13 +47,13 @@ SettingRow<S> band_row(SettingRow<S> row, Access access) {
         });
 }
 
-template <class S, class Access>
-SettingRow<S> offset_row(Access access) {
-    SettingRow<S> row{"offset", "C,D|auto",
-                      "Offsets of the channels, recording units; auto: the mean of each over whole "
-                      "periods (default 0,0)"};
-    row.read = [=](const std::string& from, S& settings) -> Status {
-        Calibration& calibration = access(settings);
+SettingRow<SignalSettings> offset_row() {
+    SettingRow<SignalSettings> row{
+        "offset", "C,D|auto",
+        "Offsets of the channels, recording units; auto: the mean of each over whole periods "
+        "(default 0,0)"};
+    row.read = [](const std::string& from, SignalSettings& settings) -> Status {
+        Calibration& calibration = settings.calibration;
         calibration.offset_auto = from == "auto";
         if (calibration.offset_auto) {
             return {};
@@ -63,98 +64,84 @@ SettingRow<S> offset_row(Access access) {
         calibration.offset_d = offsets[1];
         return {};
     };
-    row.text = [=](const S& settings) {
-        const Calibration& calibration = access(settings);
+    row.text = [](const SignalSettings& settings) {
+        const Calibration& calibration = settings.calibration;
         return calibration.offset_auto ? std::string("auto")
                                        : joined({calibration.offset_c, calibration.offset_d});
     };
     const Bounds bounds{-most_amplitude, most_amplitude, "it must lie within +-1e30"};
     row.bounds = {bounds, bounds};
-    row.check = [=](const S& settings) -> Status {
-        const Calibration& calibration = access(settings);
-        const Status c = within(bounds, "--offset", calibration.offset_c);
-        return c ? within(bounds, "--offset", calibration.offset_d) : c;
+    row.check = [bounds](const SignalSettings& settings) -> Status {
+        TRY(within(bounds, "--offset", settings.calibration.offset_c));
+        return within(bounds, "--offset", settings.calibration.offset_d);
     };
     return row;
 }
 
-// `part` returns the SignalSettings of S.
-template <class S, class Part>
-SettingRow<S> f0_row(Part part) {
-    return number_row<S>({"f0", "HZ", "The carrier, Hz; skips the search for it"},
-                         [=](auto& s) -> auto& { return part(s).f0_hz; },
-                         {1e-6, most_number, "it must be at least 1e-6 Hz"});
-}
-
-template <class S, class Part>
-Rows<S> signal_rows(Part part) {
-    const auto calibration = [=](auto& s) -> auto& {
-        return part(s).calibration;
-    };
+Rows<SignalSettings> rows_of_signal() {
+    using S = SignalSettings;
     const Bounds time{0, most_number, "it cannot be negative"};
     return {
+        number_row<S>({"f0", "HZ", "The carrier, Hz; skips the search for it"},
+                      [](auto& s) -> auto& { return s.f0_hz; },
+                      {1e-6, most_number, "it must be at least 1e-6 Hz"}),
         number_row<S>(
             {"from", "S", "Start of the part to analyse, s"},
-            [=](auto& s) -> auto& { return part(s).from_s; }, time),
+            [](auto& s) -> auto& { return s.from_s; }, time),
         number_row<S>(
-            {"to", "S", "End of the part to analyse, s"},
-            [=](auto& s) -> auto& { return part(s).to_s; }, time),
-        band_row<S>(
-            {"band", "LO,HI", "Look for the carrier between two frequencies, Hz"},
-            [=](auto& s) -> auto& { return part(s).band; }),
-        band_row<S>(
-            {"filter", "LO,HI", "Zero-phase band-pass before everything, Hz"},
-            [=](auto& s) -> auto& { return part(s).filter; }),
+            {"to", "S", "End of the part to analyse, s"}, [](auto& s) -> auto& { return s.to_s; },
+            time),
+        band_row({"band", "LO,HI", "Look for the carrier between two frequencies, Hz"}, &S::band),
+        band_row({"filter", "LO,HI", "Zero-phase band-pass before everything, Hz"}, &S::filter),
         number_row<S>({"kappa", "K", "Gain ratio of the channels: S_D = D / K (default 1)"},
-                      [=](auto& s) -> auto& { return calibration(s).kappa; },
+                      [](auto& s) -> auto& { return s.calibration.kappa; },
                       {1e-6, 1e6, "it must lie between 1e-6 and 1e6"}),
-        offset_row<S>(calibration),
+        offset_row(),
         number_row<S>({"delay", "S", "By how much channel D comes late, s (default 0)"},
-                      [=](auto& s) -> auto& { return calibration(s).delay_d_s; },
+                      [](auto& s) -> auto& { return s.calibration.delay_d_s; },
                       {-1, 1, "it must lie within +-1 s"}),
         number_row<S>({"angle-zero", "DEG",
                        "Angle of the first electrode, degrees; subtracted from theta_A (default "
                        "0)"},
-                      [=](auto& s) -> auto& { return calibration(s).angle_zero_deg; },
+                      [](auto& s) -> auto& { return s.calibration.angle_zero_deg; },
                       {-360, 360, "it must lie within +-360 degrees"}),
         switch_row<S>(
             {"repair-lost", "",
              "Make gaps where samples were lost, so that time runs on behind them"},
-            [=](auto& s) -> auto& { return part(s).repair_lost; }),
+            [](auto& s) -> auto& { return s.repair_lost; }),
     };
 }
 
-template <class S, class Part>
-SettingRow<S> periods_row(Part part) {
-    return number_row<S>(
-        {"periods", "P", "Window length in periods of the carrier; may be fractional"},
-        [=](auto& s) -> auto& { return part(s).periods; },
-        {above_zero, 1e9, "it must be above zero and at most 1e9"});
+const Rows<SignalSettings>& signal_settings() {
+    static const Rows<SignalSettings> rows = rows_of_signal();
+    return rows;
 }
 
-template <class S, class Part>
-SettingRow<S> snap_row(Part part) {
-    return switch_row<S>(
-        {"snap", "", "Move the window to whole half-periods, where the averages are orthogonal"},
-        [=](auto& s) -> auto& { return part(s).snap; });
-}
-
-// `part` returns the settings of the window. Its length in samples has no effect where periods are
+// Of WindowSettings or PhasorWindowSettings. The length in samples has no effect where periods are
 // given.
-template <class S, class Part>
-SettingRow<S> window_row(const std::string& help, Part part, Bounds bounds) {
-    SettingRow<S> row = value_row<std::int64_t>(
-        SettingRow<S>{"window", "N", help}, [=](auto& s) -> auto& { return part(s).window; },
+template <class S>
+Rows<S> window_rows(const std::string& help, Bounds bounds) {
+    SettingRow<S> window = value_row<std::int64_t>(
+        SettingRow<S>{"window", "N", help}, [](auto& s) -> auto& { return s.window; },
         [](const std::string& from) { return read_whole("--window", from); }, integer_text,
-        [bounds](std::int64_t window) {
-            return within(bounds, "--window", static_cast<double>(window));
-        },
-        "default");
-    row.bounds = {bounds};
-    row.check = [part, check = row.check](const S& settings) {
-        return part(settings).periods ? Status() : check(settings);
+        any_value, "default");
+    window.bounds = {bounds};
+    window.check = [bounds](const S& settings) {
+        const std::optional<std::int64_t> samples = settings.window;
+        return settings.periods || !samples
+                   ? Status()
+                   : within(bounds, "--window", static_cast<double>(*samples));
     };
-    return row;
+    return {window,
+            number_row<S>(
+                {"periods", "P", "Window length in periods of the carrier; may be fractional"},
+                [](auto& s) -> auto& { return s.periods; },
+                {above_zero, 1e9, "it must be above zero and at most 1e9"}),
+            switch_row<S>(
+                {"snap", "",
+                 "Move the window to whole half-periods, where the averages are "
+                 "orthogonal"},
+                [](auto& s) -> auto& { return s.snap; })};
 }
 
 template <class S>
@@ -237,15 +224,13 @@ SettingRow<IdentifySettings> tolerance_row() {
         [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);
 }
 
-// `part` returns the LogChoice of S.
-template <class S, class Part>
-SettingRow<S> f_ref_row(Part part) {
-    SettingRow<S> row{"f-ref", "HZ",
-                      "With --phasors: frequency of the reference (default: of the file)"};
+SettingRow<LogChoice> f_ref_row() {
+    SettingRow<LogChoice> row{"f-ref", "HZ",
+                              "With --phasors: frequency of the reference (default: of the file)"};
     const Bounds bounds{above_zero, 1e12, "it is a frequency above zero"};
     row.bounds = {bounds};
     return value_row<double>(
-        row, [=](auto& s) -> auto& { return part(s).phasors.f_ref_hz; },
+        row, [](auto& s) -> auto& { return s.phasors.f_ref_hz; },
         [bounds, option = row.option()](const std::string& from) -> Result<double> {
             const auto f_hz = TRY(from == not_set ? 0 : read_number(option, from, "Hz"));
             TRY(from == not_set ? Status() : within(bounds, option, f_hz));
@@ -257,13 +242,12 @@ SettingRow<S> f_ref_row(Part part) {
         });
 }
 
-template <class S, class Part>
-SettingRow<S> lock_in_row(Part part) {
-    return value_row<LockIn, S>(
+SettingRow<LogChoice> lock_in_row() {
+    return value_row<LockIn, LogChoice>(
         {"lock-in", "ORDER,BW",
          "With --phasors: RC stages of the lock-in's filter, 1 to 8, and its 3 dB bandwidth, Hz "
          "(default: none)"},
-        [=](auto& s) -> auto& { return part(s).phasors.filter; },
+        [](auto& s) -> auto& { return s.phasors.filter; },
         [](const std::string& from) {
             return from == not_set ? Result(LockIn{}) : read_lock_in("--lock-in", from);
         },
@@ -275,24 +259,21 @@ SettingRow<S> lock_in_row(Part part) {
         any_value);
 }
 
-template <class S, class Part>
-Rows<S> log_rows(Part part) {
-    const auto phasors = [=](auto& s) -> auto& {
-        return part(s).phasors;
-    };
+Rows<LogChoice> rows_of_logs() {
+    using S = LogChoice;
     return {
         value_row<std::string, S>(
             {"columns", "NAMES",
              "The files are logs or tracks without a phase, with the columns E,R,S,Q or "
              "a,b,theta, each with =COLUMN, a name or a number, where the file calls it "
              "otherwise"},
-            [=](auto& s) -> auto& { return part(s).names; },
+            [](auto& s) -> auto& { return s.names; },
             [](const std::string& from) { return Result(from == not_set ? std::string() : from); },
             [](const std::string& names) { return names.empty() ? not_set : names; }, any_value),
         choice_row<S>(
             {"angle-unit", "deg|rad|cyc",
              "Unit of theta, or of the phases, where the file does not tell it; cyc: whole turns"},
-            [=](auto& s) -> auto& { return part(s).rad_per_angle_unit; },
+            [](auto& s) -> auto& { return s.rad_per_angle_unit; },
             {{not_set, log_angle_units[0]},
              {"deg", log_angle_units[1]},
              {"rad", log_angle_units[2]},
@@ -303,85 +284,82 @@ Rows<S> log_rows(Part part) {
              "The files are logs of a lock-in or a phasemeter, with the columns Xc,Yc,Xd,Yd: "
              "relative to one frequency, to an oscillator that moves (column F or P), or each "
              "channel to its own phase (Pc,Pd)"},
-            [=](auto& s) -> auto& { return phasors(s).frame; },
+            [](auto& s) -> auto& { return s.phasors.frame; },
             {{not_set, PhasorFrame::none},
              {"fixed", PhasorFrame::fixed},
              {"common", PhasorFrame::common},
              {"pll", PhasorFrame::pll}},
             "it is fixed, common or pll"),
-        f_ref_row<S>(part),
+        f_ref_row(),
         choice_row<S>(
             {"y-sign", "+|-",
              "With --phasors: the signal is Re((X + iY) e^iwt) or Re((X - iY) e^iwt)"},
-            [=](auto& s) -> auto& { return phasors(s).y_sign; },
-            {{not_set, 0}, {"+", 1}, {"-", -1}}, "it is + or -"),
+            [](auto& s) -> auto& { return s.phasors.y_sign; }, {{not_set, 0}, {"+", 1}, {"-", -1}},
+            "it is + or -"),
         choice_row<S>(
             {"amplitude", "peak|rms", "With --phasors: what sqrt(X^2 + Y^2) is"},
-            [=](auto& s) -> auto& { return phasors(s).peak_per_unit; },
+            [](auto& s) -> auto& { return s.phasors.peak_per_unit; },
             {{not_set, 0}, {"peak", 1}, {"rms", std::numbers::sqrt2}}, "it is peak or rms"),
-        lock_in_row<S>(part)};
+        lock_in_row()};
 }
 
-template <class S>
-Rows<S> in_order(std::initializer_list<Rows<S>> parts) {
-    Rows<S> rows;
-    for (const Rows<S>& part : parts) {
-        rows.insert(rows.end(), part.begin(), part.end());
+// Adds the rows of settings that `part` returns of S.
+template <class Of, class Part, class S>
+void add(const Of& rows_of_part, Part part, Rows<S>& rows) {
+    for (const auto& row : rows_of_part) {
+        rows.push_back(row_of_part<S>(row, part));
     }
+}
+
+Rows<Settings> rows_of_analysis() {
+    const auto whole = [](auto& s) -> auto& {
+        return s;
+    };
+    Rows<Settings> rows{algorithm_row()};
+    add(window_rows<WindowSettings>(
+            "Window length, samples (default 60)",
+            {5, most_samples, "it must be 5 to 1e15 samples: there are five parameters"}),
+        whole, rows);
+    rows.push_back(
+        count_row<Settings>({"hop", "N", "Samples between window starts (default: the window)"},
+                            [](auto& s) -> auto& { return s.hop; }, "window",
+                            {1, most_samples, "it must be 1 to 1e15 samples"}));
+    add(std::span(signal_settings()).first(1), whole, rows);
+    rows.push_back(initial_row());
+    rows.push_back(choice_row<Settings>(
+        {"start", "first|previous",
+         "conjugate-gradient starts each window from in-phase or from the window before "
+         "(default first)"},
+        [](auto& s) -> auto& { return s.start; },
+        {{"first", StartRule::first}, {"previous", StartRule::previous}},
+        "it is first or previous"));
+    add(std::span(signal_settings()).subspan(1), whole, rows);
+    rows.push_back(threads_row<Settings>());
     return rows;
 }
 
-constexpr auto whole = [](auto& s) -> auto& {
-    return s;
-};
-
-Rows<Settings> rows_of_analysis() {
-    return in_order<Settings>(
-        {{algorithm_row(),
-          window_row<Settings>(
-              "Window length, samples (default 60)", whole,
-              {5, most_samples, "it must be 5 to 1e15 samples: there are five parameters"}),
-          periods_row<Settings>(whole), snap_row<Settings>(whole),
-          count_row<Settings>({"hop", "N", "Samples between window starts (default: the window)"},
-                              [](auto& s) -> auto& { return s.hop; }, "window",
-                              {1, most_samples, "it must be 1 to 1e15 samples"}),
-          f0_row<Settings>(whole), initial_row(),
-          choice_row<Settings>(
-              {"start", "first|previous",
-               "conjugate-gradient starts each window from in-phase or from the window before "
-               "(default first)"},
-              [](auto& s) -> auto& { return s.start; },
-              {{"first", StartRule::first}, {"previous", StartRule::previous}},
-              "it is first or previous")},
-         signal_rows<Settings>(whole),
-         {threads_row<Settings>()}});
-}
-
 Rows<IdentifySettings> rows_of_identification() {
-    const auto signal = [](auto& s) -> auto& {
-        return s.signal;
-    };
-    const auto windows = [](auto& s) -> auto& {
-        return s.windows;
-    };
-    return in_order<IdentifySettings>(
-        {{choice_row<IdentifySettings>(
-              {"model", "NAME",
-               "auto (default), structured (the pick-offs are a calibrated pair) or free (only "
-               "the modes)"},
-              [](auto& s) -> auto& { return s.model; },
-              {{"auto", FitOptions::Model::automatic},
-               {"structured", FitOptions::Model::structured},
-               {"free", FitOptions::Model::free}},
-              "it is auto, structured or free"),
-          window_row<IdentifySettings>(
-              "Window length, samples (default: 15 ms, 12 periods at least)", windows,
-              {16, most_number, "the resonator's fit needs at least 16 samples"}),
-          periods_row<IdentifySettings>(windows), snap_row<IdentifySettings>(windows),
-          f0_row<IdentifySettings>(signal)},
-         signal_rows<IdentifySettings>(signal),
-         {threads_row<IdentifySettings>(), tolerance_row()},
-         log_rows<IdentifySettings>([](auto& s) -> auto& { return s.logs; })});
+    Rows<IdentifySettings> rows{choice_row<IdentifySettings>(
+        {"model", "NAME",
+         "auto (default), structured (the pick-offs are a calibrated "
+         "pair) or free (only the modes)"},
+        [](auto& s) -> auto& { return s.model; },
+        {{"auto", FitOptions::Model::automatic},
+         {"structured", FitOptions::Model::structured},
+         {"free", FitOptions::Model::free}},
+        "it is auto, structured or free")};
+    add(
+        window_rows<PhasorWindowSettings>(
+            "Window length, samples (default: 15 ms, 12 periods at least)",
+            {16, most_number, "the resonator's fit needs at least 16 samples"}),
+        [](auto& s) -> auto& { return s.windows; }, rows);
+    add(
+        signal_settings(), [](auto& s) -> auto& { return s.signal; }, rows);
+    rows.push_back(threads_row<IdentifySettings>());
+    rows.push_back(tolerance_row());
+    add(
+        log_settings(), [](auto& s) -> auto& { return s.logs; }, rows);
+    return rows;
 }
 
 template <class S>
@@ -415,7 +393,7 @@ const std::vector<SettingRow<IdentifySettings>>& identify_settings() {
 }
 
 const std::vector<SettingRow<LogChoice>>& log_settings() {
-    static const Rows<LogChoice> rows = log_rows<LogChoice>(whole);
+    static const Rows<LogChoice> rows = rows_of_logs();
     return rows;
 }
 
@@ -448,9 +426,7 @@ const Bounds& bounds_of(const std::string& name, std::size_t number) {
 }
 
 Status validate(const SignalSettings& settings) {
-    static const Rows<SignalSettings> rows = in_order<SignalSettings>(
-        {{f0_row<SignalSettings>(whole)}, signal_rows<SignalSettings>(whole)});
-    return first_fault(rows, settings);
+    return first_fault(signal_settings(), settings);
 }
 
 Status validate(const Settings& settings) {

@@ -94,6 +94,22 @@ inline Status within(const Bounds& bounds, const std::string& option, double val
                : refused_value(option, short_text(value, 12), bounds.allowed);
 }
 
+// What has no bounds of its own.
+inline constexpr auto any_value = [](const auto&) { return Status(); };
+
+// The row for settings S, of which `part` returns those that it is for.
+template <class S, class Of, class Part>
+SettingRow<S> row_of_part(const SettingRow<Of>& of, Part part) {
+    return {of.name,
+            of.placeholder,
+            of.help,
+            [=](const std::string& text, S& settings) { return of.read(text, part(settings)); },
+            [=](const S& settings) { return of.text(part(settings)); },
+            [=](const S& settings) { return of.check(part(settings)); },
+            of.has_part,
+            of.bounds};
+}
+
 template <class S, class Access>
 using FieldOf = std::remove_reference_t<std::invoke_result_t<Access, S&>>;
 
@@ -195,9 +211,6 @@ template <class S, class Access>
 SettingRow<S> switch_row(SettingRow<S> row, Access access) {
     return choice_row(std::move(row), access, {{"yes", true}, {"no", false}}, "it is yes or no");
 }
-
-// What has no bounds of its own.
-inline constexpr auto any_value = [](const auto&) { return Status(); };
 
 inline std::string joined(std::initializer_list<double> numbers) {
     return joined(numbers, ",", round_trip_text);

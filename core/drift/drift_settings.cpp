@@ -53,24 +53,13 @@ Row pick_offs_row() {
         [](auto& s) -> auto& { return s.tolerance; }, read_pick_offs, tolerance_text, any_value);
 }
 
-// Of a table of numbers, which is no recording: an option of opening.
-Row opening_row(const SettingRow<OpenOptions>& of_opening) {
-    Row row{of_opening.name, of_opening.placeholder, of_opening.help};
-    row.read = [read = of_opening.read](const std::string& from, DriftSettings& settings) {
-        return read(from, settings.open);
-    };
-    row.text = [text = of_opening.text](const DriftSettings& settings) {
-        return text(settings.open);
-    };
-    row.bounds = of_opening.bounds;
-    return row;
-}
-
 std::vector<Row> rows_of_drift() {
     std::vector<Row> rows{columns_row(), angle_unit_row(), pick_offs_row()};
     for (const char* name :
          {"rate", "delimiter", "decimal", "skip-lines", "time-column", "time-unit"}) {
-        rows.push_back(opening_row(*row_named(open_settings(), name)));
+        rows.push_back(row_of_part<DriftSettings>(
+            *row_named(open_settings(), name), [](auto& s) -> auto& { return s.open; }));
+        rows.back().has_part = true;  // of a table of numbers, which is no recording
     }
     return rows;
 }
