@@ -239,13 +239,13 @@ const char* verdict_name(Verdict verdict) {
 
 const char* incomparable_sentence(Incomparable why) {
     return why == Incomparable::other_direction
-               ? VYBEG_MESSAGE("Reason",
-                               "It belongs to one direction, and no recording of the other side "
-                               "starts within 3 degrees of it.")
+               ? ReasonSentence::tr(
+                     "It belongs to one direction, and no recording of the other side "
+                     "starts within 3 degrees of it.")
            : why == Incomparable::other_mode_order
-               ? VYBEG_MESSAGE("Reason",
-                               "The modes of both sides are not named by the same: one by "
-                               "frequency, the other by decay.")
+               ? ReasonSentence::tr(
+                     "The modes of both sides are not named by the same: one by "
+                     "frequency, the other by decay.")
                : "";
 }
 

@@ -8,6 +8,11 @@
 
 namespace vybeg {
 
+struct ReasonSentence {
+    VYBEG_CONTEXT(Reason)
+    static constexpr const char* tr(const char* text) { return text; }
+};
+
 // Reasons for which a number of the resonator is not given, by the rows of reason_rows.h.
 enum class ReasonCode {
 #define ROW(code, sentence) code,
