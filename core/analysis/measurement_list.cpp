@@ -101,16 +101,15 @@ private:
     // The fault of an option's value, at its place in the list.
     Error refused(std::int64_t line, const Error& error) const {
         const std::string column = english(error.args.at(0)).substr(2);  // without the dashes
-        return table_.invalid(line, column,
-                              words(VYBEG_MESSAGE("Words", "\"%1\" is not possible: %2"),
-                                    {error.args.at(1), error.args.at(2)}));
+        return table_.invalid(
+            line, column,
+            Phrase::tr("\"%1\" is not possible: %2", {error.args.at(1), error.args.at(2)}));
     }
 
     Status name_columns() {
         for (const std::string& name : table_.names) {
             if (name.starts_with("--") && placeholder_of(name.substr(2))) {
-                return table_.invalid(
-                    1, name, words(VYBEG_MESSAGE("Words", "an option has no dashes here")));
+                return table_.invalid(1, name, Phrase::tr("an option has no dashes here"));
             }
             if (is_idle(name)) {
                 list_.warnings.push_back({DiagnosticKind::option_without_effect,
@@ -124,8 +123,7 @@ private:
             }
         }
         if (table_.rows.empty()) {
-            return table_.invalid(
-                1, "file", words(VYBEG_MESSAGE("Words", "no row names a recording below it")));
+            return table_.invalid(1, "file", Phrase::tr("no row names a recording below it"));
         }
         return {};
     }
@@ -144,9 +142,8 @@ private:
                 if (is_formula(row.fields[k])) {
                     list_.warnings.push_back(
                         {DiagnosticKind::formula_in_list,
-                         {row.fields[k],
-                          words(VYBEG_MESSAGE("Words", "line %1 of the list, column \"%2\""),
-                                {count_arg(row.line), table_.names[k]})}});
+                         {row.fields[k], Phrase::tr("line %1 of the list, column \"%2\"",
+                                                    {count_arg(row.line), table_.names[k]})}});
                 }
             }
         }
@@ -231,11 +228,10 @@ private:
                 if (told != nullptr && table_.field(*told, name) != text) {
                     return table_.invalid(
                         row->line, name,
-                        words(VYBEG_MESSAGE("Words",
-                                            "\"%1\" differs from \"%2\" in line %3, and one value "
-                                            "holds for all recordings of a set: tell the same, or "
-                                            "give the row a set of its own"),
-                              {text, table_.field(*told, name), count_arg(told->line)}));
+                        Phrase::tr(
+                            "\"%1\" differs from \"%2\" in line %3, and one value holds for all "
+                            "recordings of a set: tell the same, or give the row a set of its own",
+                            {text, table_.field(*told, name), count_arg(told->line)}));
                 }
                 told = told == nullptr ? row : told;
             }
@@ -273,15 +269,13 @@ private:
     Result<IdentifySettings> read_row(const CsvRow& row, MeasurementSet& set) const {
         RecordingRef recording{table_.field(row, "file"), {}, open_};
         if (recording.file.empty()) {
-            return table_.invalid(row.line, "file",
-                                  words(VYBEG_MESSAGE("Words", "no file is named")));
+            return table_.invalid(row.line, "file", Phrase::tr("no file is named"));
         }
         recording.path = file_from(folder_, recording.file);
         const bool has_window = !option(row, "window").empty();
         if (has_window && !option(row, "periods").empty()) {
-            return table_.invalid(
-                row.line, "periods",
-                words(VYBEG_MESSAGE("Words", "the window is given in samples, too")));
+            return table_.invalid(row.line, "periods",
+                                  Phrase::tr("the window is given in samples, too"));
         }
         TRY(read_options(open_settings(), row, recording.open));
         find_files_from(folder_, recording.open);
@@ -324,20 +318,18 @@ private:
         told.date = usual_date(table_.field(row, "date"));
         if (!told.date.empty() && !is_iso_date(told.date)) {
             return table_.invalid(row.line, "date",
-                                  words(VYBEG_MESSAGE("Words",
-                                                      "\"%1\" is no date as in 2026-03-31 or "
-                                                      "31.03.2026, with or without a time as in "
-                                                      "T14:05"),
-                                        {told.date}));
+                                  Phrase::tr("\"%1\" is no date as in 2026-03-31 or 31.03.2026, "
+                                             "with or without a time as in T14:05",
+                                             {told.date}));
         }
         for (const auto& [column, value] :
              {std::pair{"bias_v", &told.bias_v}, std::pair{"temperature_c", &told.temperature_c}}) {
             const std::string text = without_unit(table_.field(row, column));
             const Result<double> number = read_number(column, text.empty() ? "0" : text);
             if (!number) {
-                return table_.invalid(row.line, column,
-                                      words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"),
-                                            {table_.field(row, column)}));
+                return table_.invalid(
+                    row.line, column,
+                    Phrase::tr("\"%1\" is not a number", {table_.field(row, column)}));
             }
             constexpr double absolute_zero_c = -273.15;
             if (value == &told.temperature_c && *number < absolute_zero_c) {
@@ -352,9 +344,8 @@ private:
         const std::optional<bool> answer = yes_or_no(exchanged);
         told.exchanged = answer.value_or(false);
         if (!exchanged.empty() && !answer) {
-            return table_.invalid(
-                row.line, "exchanged",
-                words(VYBEG_MESSAGE("Words", "\"%1\" is neither yes nor no"), {exchanged}));
+            return table_.invalid(row.line, "exchanged",
+                                  Phrase::tr("\"%1\" is neither yes nor no", {exchanged}));
         }
         return {};
     }
@@ -439,8 +430,7 @@ Result<MeasurementList> list_of_folder(
         const std::string name = path.filename().string();
         if (is_formula(name)) {
             list.warnings.push_back(
-                {DiagnosticKind::formula_in_list,
-                 {name, words(VYBEG_MESSAGE("Words", "a file of the folder"))}});
+                {DiagnosticKind::formula_in_list, {name, Phrase::tr("a file of the folder")}});
         }
         list.sets.push_back({name, {{name, path, open, {}, {}}}, settings});
     }
@@ -453,13 +443,12 @@ Status check_conditions(const MeasurementSet& set) {
         std::string (*text)(const Conditions&);  // empty: unknown
     };
     const std::array checked{
-        Condition{words(VYBEG_MESSAGE("Words", "the gyro")),
-                  [](const Conditions& c) { return c.gyro; }},
-        Condition{words(VYBEG_MESSAGE("Words", "the bias voltage")),
+        Condition{Phrase::tr("the gyro"), [](const Conditions& c) { return c.gyro; }},
+        Condition{Phrase::tr("the bias voltage"),
                   [](const Conditions& c) {
                       return c.bias_v ? round_trip_text(*c.bias_v) + " V" : std::string();
                   }},
-        Condition{words(VYBEG_MESSAGE("Words", "the exchange of the amplifiers")),
+        Condition{Phrase::tr("the exchange of the amplifiers"),
                   [](const Conditions& c) { return std::string(c.exchanged ? "yes" : "no"); }}};
     for (const Condition& condition : checked) {
         std::string told;

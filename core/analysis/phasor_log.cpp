@@ -75,9 +75,8 @@ Result<LogTable> read_columns(const LogFile& log, const std::filesystem::path& p
 }
 
 // What the choice leaves open, or sets against the file.
-Error wrong_choice(const PhasorChoice& choice, const char* what,
-                   std::vector<MessageArg> args = {}) {
-    return refused_value("--phasors", frame_name(choice.frame), words(what, std::move(args)));
+Error wrong_choice(const PhasorChoice& choice, MessageArg why) {
+    return refused_value("--phasors", frame_name(choice.frame), std::move(why));
 }
 
 // One channel: X + iY, in the frame of each channel's own phase turned by that.
@@ -116,11 +115,9 @@ Result<std::vector<Complex>> phasors_of(const LogFile& log, const Channel& chann
     const double rad =
         TRY(angle_factor(channel.file, *channel.phase, log.choice.rad_per_angle_unit));
     if (repeats_phase(channel, rad)) {
-        return wrong_choice(how,
-                            VYBEG_MESSAGE("Words",
-                                          "column %1 is the phase of X + iY itself: choose "
-                                          "--phasors fixed"),
-                            {channel.phase->name});
+        return wrong_choice(
+            how, Phrase::tr("column %1 is the phase of X + iY itself: choose --phasors fixed",
+                            {channel.phase->name}));
     }
     for (std::size_t k = 0; k < phasors.size(); ++k) {
         phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
@@ -139,24 +136,22 @@ Status check_left_aside(const LogFile& log, const Channel& channel, PhasorFrame 
     if (!rad || !(*rad * (most - least) > harmless_rad) || repeats_phase(channel, *rad)) {
         return {};
     }
-    return wrong_choice(log.choice.phasors,
-                        VYBEG_MESSAGE("Words",
-                                      "the phase in column %1 moves, so that this is not the "
-                                      "frame: choose --phasors %2"),
-                        {channel.phase->name, frame_name(of_phase)});
+    return wrong_choice(
+        log.choice.phasors,
+        Phrase::tr(
+            "the phase in column %1 moves, so that this is not the frame: choose --phasors %2",
+            {channel.phase->name, frame_name(of_phase)}));
 }
 
 Status check_told(const PhasorChoice& choice) {
     if (choice.y_sign == 0) {
-        return wrong_choice(choice, VYBEG_MESSAGE("Words",
-                                                  "no data show the sign of Y: give --y-sign + "
-                                                  "or -"));
+        return wrong_choice(choice, Phrase::tr("no data show the sign of Y: give --y-sign + or -"));
     }
     if (choice.peak_per_unit == 0) {
-        return wrong_choice(choice,
-                            VYBEG_MESSAGE("Words",
-                                          "no data show whether amplitudes are peak values: "
-                                          "give --amplitude peak or rms"));
+        return wrong_choice(
+            choice,
+            Phrase::tr(
+                "no data show whether amplitudes are peak values: give --amplitude peak or rms"));
     }
     return {};
 }
@@ -174,11 +169,9 @@ Result<double> turn_of_frequency(const PhasorChoice& choice, const LogColumn& fr
         if (!std::isfinite(f[k]) || (k > 0 && t[k] - t[k - 1] > 1.5 * step_s)) {
             return wrong_choice(
                 choice,
-                VYBEG_MESSAGE("Words",
-                              "the frequency of the oscillator is missing at %1, so "
-                              "that the phase is lost: cut there with --from or --to, "
-                              "or name a column P"),
-                {number_arg(t[k], 7, "s")});
+                Phrase::tr("the frequency of the oscillator is missing at %1, so that the phase is "
+                           "lost: cut there with --from or --to, or name a column P",
+                           {number_arg(t[k], 7, "s")}));
         }
         if (k > 0) {
             const double straight = (f[k] + f[k - 1]) / 2;
@@ -225,28 +218,23 @@ Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* ph
         constexpr double harmless_turns = 0.01;
         if ((most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns) {
             return wrong_choice(
-                how,
-                VYBEG_MESSAGE("Words",
-                              "the oscillator's frequency moves from %1 to %2 (column "
-                              "%3), so that the reference is not fixed: choose "
-                              "--phasors common"),
-                {number_arg(least, 10, "Hz"), number_arg(most, 10, "Hz"), frequency->name});
+                how, Phrase::tr("the oscillator's frequency moves from %1 to %2 (column %3), so "
+                                "that the reference is not fixed: choose --phasors common",
+                                {number_arg(least, 10, "Hz"), number_arg(most, 10, "Hz"),
+                                 frequency->name}));
         }
     }
     if (how.frame == PhasorFrame::fixed && frequency != nullptr && how.f_ref_hz > 0 &&
         is_another(median(frequency->values), how.f_ref_hz)) {
-        return wrong_choice(how,
-                            VYBEG_MESSAGE("Words",
-                                          "column %1 says that the reference is %2, and --f-ref "
-                                          "that it is %3: leave --f-ref out, or correct it"),
+        return wrong_choice(
+            how, Phrase::tr("column %1 says that the reference is %2, and --f-ref that it is %3: "
+                            "leave --f-ref out, or correct it",
                             {frequency->name, number_arg(median(frequency->values), 10, "Hz"),
-                             number_arg(how.f_ref_hz, 10, "Hz")});
+                             number_arg(how.f_ref_hz, 10, "Hz")}));
     }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
-        return wrong_choice(how,
-                            VYBEG_MESSAGE("Words",
-                                          "it needs the column of the oscillator's frequency or "
-                                          "phase: name it F or P in --columns"));
+        return wrong_choice(how, Phrase::tr("it needs the column of the oscillator's frequency or "
+                                            "phase: name it F or P in --columns"));
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(angle_factor(log.path, *phase, log.choice.rad_per_angle_unit));
@@ -267,8 +255,7 @@ Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* ph
     }
     if (!(rows.f_ref_hz > 0)) {
         return wrong_choice(
-            how, VYBEG_MESSAGE("Words",
-                               "the frequency of the reference is not in the file: give --f-ref"));
+            how, Phrase::tr("the frequency of the reference is not in the file: give --f-ref"));
     }
     return {};
 }
@@ -332,12 +319,11 @@ Result<LogRows> read_rows(const LogFile& log) {
     const LogColumn* const f_d = of_d.find("F");
     if (apart && frame == PhasorFrame::fixed && f_c != nullptr && f_d != nullptr &&
         is_another(median(f_d->values), median(f_c->values))) {
-        return refused_value("--channel-d", d_file.string(),
-                             words(VYBEG_MESSAGE("Words",
-                                                 "its reference is %1, that of channel C %2: "
-                                                 "record both with one oscillator"),
-                                   {number_arg(median(f_d->values), 10, "Hz"),
-                                    number_arg(median(f_c->values), 10, "Hz")}));
+        return refused_value(
+            "--channel-d", d_file.string(),
+            Phrase::tr("its reference is %1, that of channel C %2: record both with one oscillator",
+                       {number_arg(median(f_d->values), 10, "Hz"),
+                        number_arg(median(f_c->values), 10, "Hz")}));
     }
     TRY(refer(log, f_c, of_c.find("P"), rows));
     return rows;
@@ -555,9 +541,8 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
         return Error{ErrorCode::fit_failed,
                      path.string(),
-                     {words(VYBEG_MESSAGE("Words",
-                                          "no wave stands out of the noise; choose the seconds "
-                                          "of the decay, or other columns"))}};
+                     {Phrase::tr("no wave stands out of the noise; choose the seconds of the "
+                                 "decay, or other columns")}};
     }
     // Means over more than the filter's own would lose a fast beat.
     const std::size_t count = rows_in(std::max(usual_window_s, filter.delay_s() / 10));

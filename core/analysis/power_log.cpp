@@ -27,13 +27,11 @@ Status check_largest(const LogChoice& choice, const char* role, const std::vecto
     if (2 * smaller <= rows) {
         return {};
     }
-    return refused_value(
-        "--columns", choice.names,
-        words(VYBEG_MESSAGE("Words",
-                            "%1 is smaller than %2 in %3 rows of %4, which it cannot be: "
-                            "the columns are exchanged or have unlike units"),
-              {role, other, count_arg(static_cast<std::int64_t>(smaller)),
-               count_arg(static_cast<std::int64_t>(rows))}));
+    return refused_value("--columns", choice.names,
+                         Phrase::tr("%1 is smaller than %2 in %3 rows of %4, which it cannot be: "
+                                    "the columns are exchanged or have unlike units",
+                                    {role, other, count_arg(static_cast<std::int64_t>(smaller)),
+                                     count_arg(static_cast<std::int64_t>(rows))}));
 }
 
 // What the calibration says of D and of the electrodes' angle: (E + R)/2 and (E - R)/2 are |c|^2
@@ -121,11 +119,9 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
 }
 
 Error refused_delay(const char* option, double delay_s) {
-    return refused_value(
-        option, number_arg(delay_s, 3, "s"),
-        words(VYBEG_MESSAGE("Words",
-                            "a log without a phase has no frequency, and a delay is a phase "
-                            "at one: give the carrier f0, too")));
+    return refused_value(option, number_arg(delay_s, 3, "s"),
+                         Phrase::tr("a log without a phase has no frequency, and a delay is a "
+                                    "phase at one: give the carrier f0, too"));
 }
 
 }  // namespace vybeg

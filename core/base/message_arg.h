@@ -54,8 +54,16 @@ MessageArg recording_arg(std::size_t recording);
 void name_recordings(std::span<const MessageArg> names, std::vector<MessageArg>& args);
 // A unit without its number.
 MessageArg unit_arg(const std::string& unit);
-// E.g. words(VYBEG_MESSAGE("Words", "a line is longer than %1 MiB"), {count_arg(1)}).
+// Of a table's text, which VYBEG_MESSAGE("Words", ...) marks there; Phrase::tr() otherwise.
 MessageArg words(const char* text, std::vector<MessageArg> args = {});
+
+// E.g. Phrase::tr("a line is longer than %1 MiB", {count_arg(1)}).
+struct Phrase {
+    VYBEG_CONTEXT(Words)
+    static MessageArg tr(const char* text, std::vector<MessageArg> args = {}) {
+        return words(text, std::move(args));
+    }
+};
 
 // Why a call of the system failed, by its errno: English on the command line in every locale.
 MessageArg system_reason(int error);

@@ -73,7 +73,7 @@ Result<std::string> gyro_type_of(const MeasurementSet& set) {
             if (!type.empty()) {
                 return Error{ErrorCode::conditions_differ,
                              set.name,
-                             {words(VYBEG_MESSAGE("Words", "the type of the gyro")), type, field}};
+                             {Phrase::tr("the type of the gyro"), type, field}};
             }
             type = field;
         }
@@ -224,11 +224,11 @@ Result<MeasurementList> FolderWatch::look() {
             continue;
         }
         if (!list_.empty()) {
-            fault_ = Error{ErrorCode::list_invalid,
-                           path.string(),
-                           {count_arg(1), "file",
-                            words(VYBEG_MESSAGE("Words", "the folder has another list, %1"),
-                                  {list_.filename().string()})}};
+            fault_ =
+                Error{ErrorCode::list_invalid,
+                      path.string(),
+                      {count_arg(1), "file",
+                       Phrase::tr("the folder has another list, %1", {list_.filename().string()})}};
             continue;
         }
         list_ = path;
@@ -300,9 +300,7 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
             }
             const fs::path path = json_in(*folder, *name);
             if (path.filename().string().size() > NAME_MAX) {
-                return refused_value(
-                    option, *name,
-                    words(VYBEG_MESSAGE("Words", "this name is too long for a file")));
+                return refused_value(option, *name, Phrase::tr("this name is too long for a file"));
             }
             *file = path.string();
         }
@@ -316,21 +314,18 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
 }
 
 Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks) {
-    std::vector<InputPath> inputs{
-        {request.list, words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}};
-    inputs.push_back({request.limits, words(VYBEG_MESSAGE("Words", "it is the table of limits"))});
+    std::vector<InputPath> inputs{{request.list, Phrase::tr("it is the list of the recordings")}};
+    inputs.push_back({request.limits, Phrase::tr("it is the table of limits")});
     for (const SetTask& task : tasks) {
-        inputs.push_back(
-            {task.passport, words(VYBEG_MESSAGE("Words", "it is one of the passports"))});
+        inputs.push_back({task.passport, Phrase::tr("it is one of the passports")});
         for (const RecordingRef& recording : task.set->recordings) {
             add_recording_files(inputs, recording.path, recording.open);
         }
     }
     if (request.database == "-") {
-        return refused_value("--database", request.database,
-                             words(VYBEG_MESSAGE("Words", "it must be a file")));
+        return refused_value("--database", request.database, Phrase::tr("it must be a file"));
     }
-    const MessageArg by_table = words(VYBEG_MESSAGE("Words", "the table goes there already"));
+    const MessageArg by_table = Phrase::tr("the table goes there already");
     TRY(check_outputs({{"-o", request.output, by_table}, {"--database", request.database, ""}},
                       inputs));
     if (!request.database.empty()) {
@@ -365,15 +360,13 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
                 continue;
             }
             if (!is_free(*path)) {
-                return refused_value(
-                    option, *path,
-                    words(VYBEG_MESSAGE("Words", "it is an input, the table or the database")));
+                return refused_value(option, *path,
+                                     Phrase::tr("it is an input, the table or the database"));
             }
             const auto place = place_of(*path);
             if (place && !places.insert(*place).second) {
-                return refused_value(
-                    option, *path,
-                    words(VYBEG_MESSAGE("Words", "another result of this batch goes there")));
+                return refused_value(option, *path,
+                                     Phrase::tr("another result of this batch goes there"));
             }
         }
     }

@@ -237,8 +237,7 @@ private:
             const auto list = TRY(looked);
             TRY(check_outputs(
                 {{"-o", request_.output, ""}, {"--database", request_.database, ""}},
-                {{folder.list().string(),
-                  words(VYBEG_MESSAGE("Words", "it is the list of the recordings"))}}));
+                {{folder.list().string(), Phrase::tr("it is the list of the recordings")}}));
             std::vector<Diagnostic> fresh;
             std::ranges::copy_if(list.warnings, std::back_inserter(fresh), [&](const auto& each) {
                 return std::ranges::find(warned, each) == warned.end();

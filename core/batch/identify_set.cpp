@@ -138,11 +138,9 @@ Status check_parts(const MeasurementSet& set) {
             const int channel = open.channel_d_file.empty() ? 0 : open.channel_d;
             const auto [one, is_new] = known.emplace(std::pair{part, channel}, &told);
             if (!is_new && one->second != &told) {
-                return refused_value(
-                    open.channel_d_file.empty() ? "--join" : "--channel-d", part,
-                    words(VYBEG_MESSAGE("Words",
-                                        "it would belong to several recordings. Name one for "
-                                        "each in a measurement list")));
+                return refused_value(open.channel_d_file.empty() ? "--join" : "--channel-d", part,
+                                     Phrase::tr("it would belong to several recordings. Name one "
+                                                "for each in a measurement list"));
             }
         }
     }

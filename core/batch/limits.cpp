@@ -35,9 +35,8 @@ MessageArg no_parameter(std::span<const ResonatorParameter> parameters, const st
     const std::string names = joined(parameters, ", ", &ResonatorParameter::name);
     const ResonatorParameter* const like = parameter_named(parameters, name, names_resemble);
     return like == nullptr
-               ? words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2"), {name, names})
-               : words(VYBEG_MESSAGE("Words", "\"%1\" is none of %2 (did you mean %3?)"),
-                       {name, names, like->name});
+               ? Phrase::tr("\"%1\" is none of %2", {name, names})
+               : Phrase::tr("\"%1\" is none of %2 (did you mean %3?)", {name, names, like->name});
 }
 
 // A column of the table in other letters or in Russian.
@@ -53,15 +52,13 @@ Status check_columns(const CsvRows& table) {
                                                       "comment"};
     for (const std::string& name : table.names) {
         if (!name.empty() && std::ranges::find(columns, name) == columns.end()) {
-            return table.invalid(1, name,
-                                 words(VYBEG_MESSAGE("Words",
-                                                     "the columns are parameter, least, "
-                                                     "greatest, gyro_type and comment")));
+            return table.invalid(
+                1, name,
+                Phrase::tr("the columns are parameter, least, greatest, gyro_type and comment"));
         }
     }
     if (!table.has("least") && !table.has("greatest")) {
-        return table.invalid(1, "least",
-                             words(VYBEG_MESSAGE("Words", "neither least nor greatest is there")));
+        return table.invalid(1, "least", Phrase::tr("neither least nor greatest is there"));
     }
     return {};
 }
@@ -85,27 +82,24 @@ Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path) {
             const std::string text = usual_option(table.field(row, column), false);
             *end = number_with_unit(text, parameter->unit);
             if (!text.empty() && !(*end && std::isfinite(**end))) {
-                return table.invalid(
-                    row.line, column,
-                    words(VYBEG_MESSAGE("Words", "\"%1\" is not a number"), {text}));
+                return table.invalid(row.line, column,
+                                     Phrase::tr("\"%1\" is not a number", {text}));
             }
         }
         if (!read.limit.lower && !read.limit.upper) {
-            return table.invalid(row.line, "least",
-                                 words(VYBEG_MESSAGE("Words", "neither end of the limit is told")));
+            return table.invalid(row.line, "least", Phrase::tr("neither end of the limit is told"));
         }
         if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
-            return table.invalid(row.line, "least",
-                                 words(VYBEG_MESSAGE("Words", "it is above the greatest value")));
+            return table.invalid(row.line, "least", Phrase::tr("it is above the greatest value"));
         }
         const bool twice = std::ranges::any_of(limits, [&read](const TypedLimit& each) {
             return lower_text(each.gyro_type) == lower_text(read.gyro_type) &&
                    each.limit.parameter == read.limit.parameter;
         });
         if (twice) {
-            return table.invalid(row.line, "parameter",
-                                 words(VYBEG_MESSAGE("Words", "%1 has a limit above already"),
-                                       {read.limit.parameter}));
+            return table.invalid(
+                row.line, "parameter",
+                Phrase::tr("%1 has a limit above already", {read.limit.parameter}));
         }
         limits.push_back(std::move(read));
     }

@@ -104,10 +104,12 @@ constexpr int pause_ms = 10;
 // A wait that is not worth a word, s.
 constexpr double quiet_s = 0.5;
 
-// %1: what is wrong in it.
-constexpr const char* damaged = VYBEG_MESSAGE("Words",
-                                              "the database is damaged (%1); take an earlier copy, "
-                                              "or save what \"sqlite3 FILE .recover\" finds");
+MessageArg damage(const std::string& what) {
+    return Phrase::tr(
+        "the database is damaged (%1); take an earlier copy, or save what \"sqlite3 FILE "
+        ".recover\" finds",
+        {what});
+}
 
 // A file that is no database of results of this version.
 struct OtherFile {
@@ -135,13 +137,12 @@ Found look_at(SqliteConnection& connection) {
 // Throws OtherFile.
 void check_kind(const Found& found) {
     if (found.application != results_application) {
-        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is a database of another program"))};
+        throw OtherFile{Phrase::tr("it is a database of another program")};
     }
     if (found.schema > results_schema) {
-        throw OtherFile{words(
-            VYBEG_MESSAGE("Words",
-                          "a later version of Vybeg has made it (schema %1; this one knows %2)"),
-            {count_arg(found.schema), count_arg(results_schema)})};
+        throw OtherFile{
+            Phrase::tr("a later version of Vybeg has made it (schema %1; this one knows %2)",
+                       {count_arg(found.schema), count_arg(results_schema)})};
     }
 }
 
@@ -183,7 +184,7 @@ FROM result r LEFT JOIN parameter p ON p.result = r.id GROUP BY r.id)sql";
 
 MessageArg label(const StoredName& name) {
     return name.gyro.empty() ? MessageArg(name.set)
-                             : words(VYBEG_MESSAGE("Words", "%1 (gyro %2)"), {name.set, name.gyro});
+                             : Phrase::tr("%1 (gyro %2)", {name.set, name.gyro});
 }
 
 // Several programs may do it at once: the first one does.
@@ -230,7 +231,7 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
     } catch (const SqliteFailure& failure) {
         return error_of_failure(failure);
     } catch (const DamagedRow& row) {
-        return refused(words(damaged, {row.what()}));
+        return refused(damage(row.what()));
     } catch (const OtherFile& file) {
         return refused(file.what);
     } catch (const std::bad_alloc&) {
@@ -267,10 +268,10 @@ void ResultsDatabase::connect(WhenWaiting waits) {
         throw SqliteFailure(SQLITE_CANTOPEN, errno, "");
     }
     if (S_ISDIR(status.st_mode)) {
-        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is a folder"))};
+        throw OtherFile{Phrase::tr("it is a folder")};
     }
     if (!S_ISREG(status.st_mode)) {
-        throw OtherFile{words(VYBEG_MESSAGE("Words", "it is no regular file"))};
+        throw OtherFile{Phrase::tr("it is no regular file")};
     }
     // SQLite gives ":memory:" and an empty name meanings of their own, an absolute path none.
     connection_ = std::make_unique<SqliteConnection>(
@@ -300,7 +301,7 @@ void ResultsDatabase::connect(WhenWaiting waits) {
     if (!is_new(found)) {
         check_kind(found);
     } else if (access_ == Access::read) {
-        throw OtherFile{words(VYBEG_MESSAGE("Words", "it holds no results"))};
+        throw OtherFile{Phrase::tr("it holds no results")};
     }
     if (access_ == Access::write && connection_->read_only()) {
         throw SqliteFailure(SQLITE_READONLY, 0, "");
@@ -325,11 +326,9 @@ Error ResultsDatabase::error_of_failure(const SqliteFailure& failure) const {
         case SQLITE_LOCKED:
             return job_.cancelled()
                        ? Error{ErrorCode::interrupted, {}, {}}
-                       : refused(words(
-                             VYBEG_MESSAGE("Words", "another program has kept it locked for %1 s"),
-                             {number_arg(patience_s_, 3)}));
-        case SQLITE_NOTADB:
-            return refused(words(VYBEG_MESSAGE("Words", "it is another kind of file")));
+                       : refused(Phrase::tr("another program has kept it locked for %1 s",
+                                            {number_arg(patience_s_, 3)}));
+        case SQLITE_NOTADB: return refused(Phrase::tr("it is another kind of file"));
         case SQLITE_FULL: return refused(system_reason(ENOSPC));
         case SQLITE_READONLY:
         case SQLITE_PERM:
@@ -339,7 +338,7 @@ Error ResultsDatabase::error_of_failure(const SqliteFailure& failure) const {
             return access_ == Access::read && failure.system_error == ENOENT
                        ? Error{ErrorCode::file_missing, path_.string(), {}}
                        : refused(system(EIO));
-        default: return refused(words(damaged, {failure.what()}));
+        default: return refused(damage(failure.what()));
     }
 }
 
