@@ -167,33 +167,16 @@ private:
     // By short windows, evenly over the chunk and over its windows.
     void measure_noise(const TrackChunk& chunk) {
         const std::int64_t start = plan_.start(chunk.first_window) - chunk.first_frame;
-        const std::int64_t frames = (chunk.windows - 1) * plan_.hop + plan_.length;
         const std::int64_t length = level_->short_length();
-        const auto estimate_into = [&](std::int64_t first, std::int64_t hop,
-                                       std::span<WaveEstimate> into) {
-            const double centre_s =
-                WindowPlan{chunk.first_frame + first, length, hop, 1}.centre_s(0, rate_hz_);
-            short_->estimate({chunk.c, chunk.d, first, length, hop}, centre_s, into);
-            return centre_s;
-        };
-        const std::vector<std::int64_t> runs = level_->runs(frames);
-        const auto of_run = static_cast<std::size_t>(level_->run_length(frames));
-        std::vector<WaveEstimate> in_runs(runs.size() * of_run);
-        for (std::size_t k = 0; k < runs.size(); ++k) {
-            estimate_into(start + runs[k], level_->run_hop(),
-                          std::span(in_runs).subspan(k * of_run, of_run));
-        }
-        if (!level_->has_shorts()) {
-            level_->take(in_runs, {}, 0, 0);
-            return;
-        }
-        const std::int64_t stride = level_->stride(chunk.windows, frames);
-        const std::int64_t hop = stride * plan_.hop;
-        std::vector<WaveEstimate> at_centres(
-            static_cast<std::size_t>((chunk.windows - 1) / stride + 1));
-        // On the same half sample as the centres of the windows.
-        const double centre_s = estimate_into(start + (plan_.length - length) / 2, hop, at_centres);
-        level_->take(in_runs, at_centres, centre_s, hop);
+        level_->measure(chunk.windows, plan_.hop,
+                        [&](std::int64_t first, std::int64_t hop, std::span<WaveEstimate> into) {
+                            const std::int64_t from = start + first;
+                            const double centre_s =
+                                WindowPlan{chunk.first_frame + from, length, hop, 1}.centre_s(
+                                    0, rate_hz_);
+                            short_->estimate({chunk.c, chunk.d, from, length, hop}, centre_s, into);
+                            return centre_s;
+                        });
     }
 
     // `first`: from the first window of the chunk.

@@ -169,44 +169,52 @@ NoiseLevel::NoiseLevel(std::int64_t length, double f0_hz, double rate_hz,
     limit_ = least_ratio * chi2_ratio(rare, known ? freedom : steady_freedom(length));
 }
 
-std::int64_t NoiseLevel::stride(std::int64_t windows, std::int64_t frames) const {
-    const auto wish =
-        static_cast<std::int64_t>(share_of_frames * static_cast<double>(frames)) / short_;
-    return std::max<std::int64_t>(windows / std::clamp(wish, fewest_short, most_short), 1);
-}
-
-std::int64_t NoiseLevel::run_length(std::int64_t frames) const {
-    return std::clamp<std::int64_t>((frames - short_) / run_hop_ + 1, 1, shorts_of_run);
-}
-
-std::vector<std::int64_t> NoiseLevel::runs(std::int64_t frames) const {
+// Estimates of runs of short windows: hum has any phase in them, while at the centres of windows of
+// whole periods it has one.
+std::vector<WaveEstimate> NoiseLevel::in_runs(std::int64_t frames,
+                                              const EstimateShorts& estimate) const {
+    std::vector<WaveEstimate> found;
     if (known_ || !(has_shorts() || leaks_)) {
-        return {};
+        return found;
     }
-    const std::int64_t length = (run_length(frames) - 1) * run_hop_ + short_;
+    const std::int64_t of_run =
+        std::clamp<std::int64_t>((frames - short_) / run_hop_ + 1, 1, shorts_of_run);
+    const std::int64_t length = (of_run - 1) * run_hop_ + short_;
     const std::int64_t count = std::min(std::max(frames / (frames_by_run * length), fewest_runs),
                                         std::max<std::int64_t>(frames / length, 1));
-    std::vector<std::int64_t> starts;
+    found.resize(static_cast<std::size_t>(count * of_run));
     for (std::int64_t k = 0; k < count; ++k) {
-        starts.push_back(k * (frames - length) / std::max<std::int64_t>(count - 1, 1));
+        estimate(k * (frames - length) / std::max<std::int64_t>(count - 1, 1), run_hop_,
+                 std::span(found).subspan(static_cast<std::size_t>(k * of_run),
+                                          static_cast<std::size_t>(of_run)));
     }
-    return starts;
+    return found;
 }
 
-void NoiseLevel::take(std::span<WaveEstimate> in_runs, std::span<const WaveEstimate> at_centres,
-                      double centre_s, std::int64_t hop) {
+void NoiseLevel::measure(std::int64_t windows, std::int64_t hop, const EstimateShorts& estimate) {
+    const std::int64_t frames = (windows - 1) * hop + length_;
+    std::vector<WaveEstimate> runs = in_runs(frames, estimate);
     shorts_.clear();
-    variance_ =
-        known_ ? known_->in_band * known_->in_band : level_of(in_runs, steady_freedom(short_));
+    variance_ = known_ ? known_->in_band * known_->in_band : level_of(runs, steady_freedom(short_));
     if (leaks_ && !known_) {
-        pool_noise(in_runs, short_, 1);
-        excess_ = excess_of(in_runs);
+        pool_noise(runs, short_, 1);
+        excess_ = excess_of(runs);
     }
+    if (!has_shorts()) {
+        return;
+    }
+    // At centres of windows, on the same half sample as these.
+    const auto wish =
+        static_cast<std::int64_t>(share_of_frames * static_cast<double>(frames)) / short_;
+    const std::int64_t stride =
+        std::max<std::int64_t>(windows / std::clamp(wish, fewest_short, most_short), 1);
+    std::vector<WaveEstimate> at_centres(static_cast<std::size_t>((windows - 1) / stride + 1));
+    const double centre_s = estimate((length_ - short_) / 2, stride * hop, at_centres);
+    const double step = static_cast<double>(stride * hop);
     for (std::size_t k = 0; k < at_centres.size(); ++k) {
         if (is_measured(at_centres[k])) {
-            shorts_.push_back(
-                {centre_s + static_cast<double>(k) * static_cast<double>(hop) / rate_hz_,
-                 to_phasors(at_centres[k].state)});
+            shorts_.push_back({centre_s + static_cast<double>(k) * step / rate_hz_,
+                               to_phasors(at_centres[k].state)});
         }
     }
 }
@@ -231,7 +239,7 @@ std::vector<char> NoiseLevel::hold_no_wave(std::span<const Judged> windows) cons
     return found;
 }
 
-double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
+double NoiseLevel::excess_of(std::span<const WaveEstimate> shorts) const {
     std::array<std::vector<double>, 4> squares;
     const auto add = [&squares](std::size_t variable, const std::array<double, 5>& x, double sd) {
         // 1, -4, 6, -4, 1: variance 70.
@@ -241,7 +249,7 @@ double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
             squares[variable].push_back(square);
         }
     };
-    for (std::size_t k = 0; k + 5 <= in_runs.size(); ++k) {
+    for (std::size_t k = 0; k + 5 <= shorts.size(); ++k) {
         if (k % shorts_of_run > shorts_of_run - 5) {
             continue;  // across two runs
         }
@@ -250,7 +258,7 @@ double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
         std::array<double, 5> angle;
         std::array<double, 5> f;
         for (std::size_t j = 0; j < 5; ++j) {
-            const WaveEstimate& one = in_runs[k + j];
+            const WaveEstimate& one = shorts[k + j];
             a_A[j] = one.state.a_A;
             a_B[j] = one.state.a_B;
             f[j] = one.f_hz;
@@ -258,7 +266,7 @@ double NoiseLevel::excess_of(std::span<const WaveEstimate> in_runs) const {
                               : angle[j - 1] + std::remainder(one.state.two_theta_A - angle[j - 1],
                                                               std::numbers::pi);
         }
-        const WaveEstimate& middle = in_runs[k + 2];
+        const WaveEstimate& middle = shorts[k + 2];
         add(0, a_A, middle.sd.a_A);
         add(1, a_B, middle.sd.a_B);
         add(2, angle, middle.sd.two_theta_A);

@@ -7,6 +7,7 @@
 #include "core/recording/samples/sample_source.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -42,19 +43,12 @@ public:
     NoiseLevel(std::int64_t length, double f0_hz, double rate_hz, std::optional<Known> known);
 
     std::int64_t short_length() const { return short_; }
-    // Whether the windows hold short ones.
-    bool has_shorts() const { return length_ >= 2 * short_; }
-    // Windows from one with a short window at its centre to the next, in a stretch of `frames`.
-    std::int64_t stride(std::int64_t windows, std::int64_t frames) const;
-    // First frames, from the start of the stretch, of runs of run_length() short windows every
-    // run_hop() frames: hum has any phase in them, while at the centres of windows of whole periods
-    // it has one.
-    std::vector<std::int64_t> runs(std::int64_t frames) const;
-    std::int64_t run_length(std::int64_t frames) const;
-    std::int64_t run_hop() const { return run_hop_; }
-    // Takes the estimates of the runs, and those at centres of windows, the first at `centre_s`.
-    void take(std::span<WaveEstimate> in_runs, std::span<const WaveEstimate> at_centres,
-              double centre_s, std::int64_t hop);
+    // Estimates short windows, one for each place, every `hop` frames from frame `first` of the
+    // stretch on; returns the centre of the first, s.
+    using EstimateShorts =
+        std::function<double(std::int64_t first, std::int64_t hop, std::span<WaveEstimate> into)>;
+    // Measures a stretch of `windows` windows every `hop` frames, by short ones.
+    void measure(std::int64_t windows, std::int64_t hop, const EstimateShorts& estimate);
 
     // In windows below three periods offset and hum are not orthogonal to the wave, and errors
     // exceed the deviations. Factor of the variances, at least 1: of the fourth differences in the
@@ -73,8 +67,11 @@ private:
         double centre_s;
         Phasors phasors;
     };
+    // Whether the windows hold short ones.
+    bool has_shorts() const { return length_ >= 2 * short_; }
+    std::vector<WaveEstimate> in_runs(std::int64_t frames, const EstimateShorts& estimate) const;
     bool all_move(std::span<const Judged> windows) const;
-    double excess_of(std::span<const WaveEstimate> in_runs) const;
+    double excess_of(std::span<const WaveEstimate> shorts) const;
 
     std::int64_t length_;
     std::int64_t short_;
