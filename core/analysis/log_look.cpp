@@ -191,8 +191,7 @@ Result<LogLook> look_at_log(const std::filesystem::path& path, const OpenOptions
     look.choice = given;
     OpenOptions alone = options;
     alone.channel_d_file.clear();
-    auto preview = TRY(preview_recording(path, alone, job));
-    look.preview = std::move(preview);
+    look.preview = TRY(preview_recording(path, alone, job));
     // It shows lines, not two of the columns as samples.
     look.preview.problem.reset();
     look.preview.c_column = look.preview.d_column = -1;

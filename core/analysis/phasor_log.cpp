@@ -245,8 +245,7 @@ Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* ph
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
-        const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
-        rows.f_ref_hz = mean_hz;
+        rows.f_ref_hz = TRY(turn_of_frequency(how, *frequency, rows));
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
     }
@@ -302,10 +301,8 @@ Result<LogRows> read_rows(const LogFile& log) {
     }
     LogRows rows;
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    auto phasors_c = TRY(phasors_of(log, c));
-    rows.c = std::move(phasors_c);
-    auto phasors_d = TRY(phasors_of(log, d));
-    rows.d = std::move(phasors_d);
+    rows.c = TRY(phasors_of(log, c));
+    rows.d = TRY(phasors_of(log, d));
     rows.c.resize(count);
     rows.d.resize(count);
     if (t.size() != t_of_d.size()) {

@@ -222,8 +222,7 @@ Result<ConditionedRecording> made_ready(const Recording& recording, const Signal
     const double begun = job.now();
     std::shared_ptr<const SampleSource> raw = recording.source;
     if (settings.repair_lost) {
-        auto repaired = TRY(with_gaps_for_lost(recording, settings, prepared.diagnostics, job));
-        raw = std::move(repaired);
+        raw = TRY(with_gaps_for_lost(recording, settings, prepared.diagnostics, job));
     }
     TRY(find_range(*raw, rate, settings, prepared));
     TRY(check_samples(*raw, prepared.first, prepared.end, job));

@@ -346,8 +346,7 @@ Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
         find_noise(spectrum, lines,
                    within({carrier->f_hz - near, carrier->f_hz + near}, settings, rate_hz), found);
     }
-    auto mains = TRY(mains_of(prepared, lobe, rate_hz));
-    found.mains_hz = std::move(mains);
+    found.mains_hz = TRY(mains_of(prepared, lobe, rate_hz));
     return found;
 }
 
@@ -377,9 +376,8 @@ Result<WindowChoice> choose_windows(const Recording& recording, const SignalSett
     const double given = prepared.f0_hz;
     const double turn = farthest(lines, given) * static_cast<double>(wish.samples) / rate;
     if (turn > most_turn) {
-        auto moved = TRY(prepared_at((lines.lowest_hz + lines.highest_hz) / 2, prepared, recording,
-                                     settings, job));
-        prepared = std::move(moved);
+        prepared = TRY(prepared_at((lines.lowest_hz + lines.highest_hz) / 2, prepared, recording,
+                                   settings, job));
     }
     auto length = TRY(slow_enough(wish, lines, prepared.f0_hz, rate));
     if (wished.snap) {

@@ -53,7 +53,8 @@ inline void taken(Status&&) {}
 }  // namespace vybeg
 
 // The value of a result, or nothing of a status; where there is an error, the function returns it.
-// A statement of its own, or an initialiser: GCC keeps temporaries of a larger expression alive.
+// A statement, an initialiser or an assignment of its own: GCC keeps temporaries of a larger
+// expression alive.
 #define TRY(...)                               \
     __extension__({                            \
         auto try_result = (__VA_ARGS__);       \

@@ -210,8 +210,7 @@ private:
             }
         }
         if (!request_.limits.empty()) {
-            auto read = TRY(read_limits(request_.limits));
-            limits_ = std::move(read);
+            limits_ = TRY(read_limits(request_.limits));
         }
         return {};
     }
@@ -299,8 +298,7 @@ private:
     // Gives each task the key of its row.
     Status set_keys(std::vector<SetTask>& tasks) const {
         for (SetTask& task : tasks) {
-            auto key = TRY(row_key(request_, task, identity_));
-            task.key = std::move(key);
+            task.key = TRY(row_key(request_, task, identity_));
         }
         return {};
     }
@@ -317,8 +315,7 @@ private:
             };
             auto opened = TRY(ResultsDatabase::open(
                 request_.database, ResultsDatabase::Access::write, job_, patience_s, waits));
-            auto identity = TRY(opened.identity());
-            identity_ = std::move(identity);
+            identity_ = TRY(opened.identity());
             database_.emplace(std::move(opened));
         }
         auto journal = TRY(RowJournal::open(output.seekable() ? journal_of(request_.output) : "",

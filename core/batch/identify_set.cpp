@@ -55,8 +55,7 @@ Status hash_all(OpenSet& open, std::stop_token stop) {
     }
     for (; !beside.empty(); beside.pop_front()) {
         auto& [told, hash] = beside.front();
-        auto sha256 = TRY(hash.get());
-        told.sha256 = std::move(sha256);
+        told.sha256 = TRY(hash.get());
     }
     return {};
 }
@@ -93,8 +92,7 @@ Status read_logs(OpenSet& open, const JobControl& job) {
     for (std::size_t k = 0; k < open.set.recordings.size(); ++k) {
         RecordingRef& told = open.set.recordings[k];
         const auto times = TRY(read_log_into(open, k, job));
-        auto sha256 = TRY(file_sha256(told.path, job));
-        told.sha256 = std::move(sha256);
+        told.sha256 = TRY(file_sha256(told.path, job));
         const auto rows = static_cast<double>(times.size());
         told.seconds = rows > 0 ? times.back() - times.front() : 0;
         told.rate_hz = rows > 1 ? (rows - 1) / told.seconds : 0;
@@ -156,8 +154,7 @@ Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
     TRY(check_conditions(set));
     TRY(check_parts(set));
     if (!passport.empty()) {
-        auto comparison = TRY(open_passport(passport, JobControl(stop)));
-        open.comparison = std::move(comparison);
+        open.comparison = TRY(open_passport(passport, JobControl(stop)));
     }
     for (const RecordingRef& listed : set.recordings) {
         if (!set.settings.logs.given()) {

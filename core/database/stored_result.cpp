@@ -302,9 +302,8 @@ StoredDate date_of(const MeasurementSet& set) {
 Result<StoredResult> stored_result(const SetResult& result, std::string json) {
     const MeasurementSet& set = result.set;
     const Identification& found = result.identification;
-    auto key = TRY(result_key(set));
     StoredResult stored;
-    stored.key = std::move(key);
+    stored.key = TRY(result_key(set));
     stored.set = set.name;
     stored.gyro = gyro_of(set);
     stored.date = date_of(set);
