@@ -183,9 +183,9 @@ SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& uns
 }
 
 // A field of few values, each with its word.
-template <class S, class Access>
-SettingRow<S> choice_row(SettingRow<S> row, Access access,
-                         const std::vector<std::pair<std::string, FieldOf<S, Access>>>& words,
+template <class S, class Access,
+          class Words = std::vector<std::pair<std::string, FieldOf<S, Access>>>>
+SettingRow<S> choice_row(SettingRow<S> row, Access access, const Words& words,
                          const std::string& allowed) {
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
         for (const auto& [word, value] : words) {
@@ -199,7 +199,7 @@ SettingRow<S> choice_row(SettingRow<S> row, Access access,
     row.text = [=](const S& settings) {
         for (const auto& [word, value] : words) {
             if (access(settings) == value) {
-                return word;
+                return std::string(word);
             }
         }
         return std::string();
