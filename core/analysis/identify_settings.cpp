@@ -9,11 +9,6 @@
 #include <set>
 
 namespace vybeg {
-namespace {
-
-constexpr const char* none = "none";
-
-}  // namespace
 
 const char* frame_name(PhasorFrame frame) {
     constexpr std::array names{"", "fixed", "common", "pll"};
@@ -58,7 +53,7 @@ Result<Tolerance> read_tolerance(std::string_view text) {
         return refused_value("--tolerance", std::string(text), allowed);
     };
     Tolerance tolerance;
-    if (text == none) {
+    if (text == not_set) {
         return tolerance;
     }
     std::set<std::string, std::less<>> given;
@@ -96,7 +91,7 @@ std::string tolerance_text(const Tolerance& tolerance) {
             text += '=' + round_trip_text(*told);
         }
     }
-    return text.empty() ? none : text;
+    return text.empty() ? not_set : text;
 }
 
 }  // namespace vybeg
