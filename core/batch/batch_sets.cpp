@@ -374,11 +374,4 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     return request.output == "-" ? Status() : known;
 }
 
-Status make_folder(const std::string& path) {
-    std::error_code failed;
-    fs::create_directories(path, failed);
-    return failed ? Status(Error{ErrorCode::output_failed, path, {system_reason(failed.value())}})
-                  : Status();
-}
-
 }  // namespace vybeg

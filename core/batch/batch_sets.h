@@ -108,7 +108,4 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
 // No output may take the place of an input or of another output. Errors: setting_invalid.
 Status check_paths(const BatchRequest& request, const std::vector<SetTask>& tasks);
 
-// A folder for results, made where there is none. Errors: output_failed.
-Status make_folder(const std::string& path);
-
 }  // namespace vybeg

@@ -262,7 +262,13 @@ private:
         const auto header = TRY(header_of(request_, job_));
         TRY(check_paths(request_, tasks));
         for (const std::string* folder : {&request_.json, &request_.new_passports}) {
-            TRY(folder->empty() ? Status() : make_folder(*folder));
+            std::error_code failed;
+            if (!folder->empty()) {
+                fs::create_directories(*folder, failed);
+            }
+            if (failed) {
+                return Error{ErrorCode::output_failed, *folder, {system_reason(failed.value())}};
+            }
         }
         if (journal_) {
             TRY(set_keys(tasks));

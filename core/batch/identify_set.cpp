@@ -21,23 +21,6 @@
 namespace vybeg {
 namespace {
 
-std::future<Result<std::string>> hash_of(const Recording& recording, int threads,
-                                         std::stop_token stop) {
-    prepare_sha256();
-    return std::async(threads == 1 ? std::launch::deferred : std::launch::async,
-                      [&recording, job = JobControl(std::move(stop))] {
-                          return recording_sha256(recording, job);
-                      });
-}
-
-}  // namespace
-
-HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
-    : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }),
-      hash_(hash_of(recording, threads, given_up_.get_token())) {}
-
-namespace {
-
 Result<PassportComparison> open_passport(const std::string& path, const JobControl& job) {
     auto passport = TRY(read_passport_file(path));
     auto sha256 = TRY(file_sha256(path, job));
@@ -146,6 +129,15 @@ Status check_parts(const MeasurementSet& set) {
 }
 
 }  // namespace
+
+HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
+    : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }) {
+    prepare_sha256();
+    hash_ = std::async(threads == 1 ? std::launch::deferred : std::launch::async,
+                       [&recording, job = JobControl(given_up_.get_token())] {
+                           return recording_sha256(recording, job);
+                       });
+}
 
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop) {
