@@ -88,7 +88,6 @@ std::int64_t alternating_hop(std::int64_t length, double f0_hz, double rate_hz) 
     return best;
 }
 
-constexpr double pi = std::numbers::pi;
 constexpr std::int64_t most_frames = std::int64_t{1} << 18;
 constexpr std::int64_t read_frames = std::int64_t{1} << 16;
 
@@ -127,13 +126,13 @@ double power_gain(double f_hz, const Band& band, double rate_hz) {
     const double transition =
         std::min({(band.high_hz - band.low_hz) / 2, band.low_hz, rate_hz / 2 - band.high_hz});
     const double beyond = std::max({band.low_hz - f_hz, f_hz - band.high_hz, 0.0}) / transition;
-    const double gain = beyond < 1 ? 0.5 + 0.5 * std::cos(pi * beyond) : 0;
+    const double gain = beyond < 1 ? 0.5 + 0.5 * std::cos(std::numbers::pi * beyond) : 0;
     return gain * gain;
 }
 
 // sum u sin phi u over n samples, at an offset from the carrier, cycles per sample.
 double moment_at(double offset, double n) {
-    const double half = pi * offset;
+    const double half = std::numbers::pi * offset;
     const double sine = std::sin(half);
     const double turns = n * half;
     return std::abs(turns) < 1e-3
@@ -339,7 +338,7 @@ Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std
     double squares = 0;
     for (std::size_t j = 0; j < size; ++j) {
         const double place = (static_cast<double>(j) + 0.5) / static_cast<double>(size);
-        const double weight = blackman_harris(2 * pi * place);
+        const double weight = blackman_harris(2 * std::numbers::pi * place);
         segment[j] *= weight;
         squares += weight * weight;
     }
@@ -373,7 +372,7 @@ EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, s
     double all_frequency = 0;
     for (int k = 0; k < points; ++k) {
         const double offset = (k + 0.5) * step - reach;
-        const double half = pi * offset;
+        const double half = std::numbers::pi * offset;
         const double sine = std::sin(half);
         const double turns = count * half;
         const double sum = std::sin(turns) / sine;
@@ -410,7 +409,7 @@ std::vector<double> frequency_correlation(const Band& band, double f0_hz, std::i
         const double image = 2 * f0_hz / rate_hz;
         const double from_image = std::remainder(offset + image, 1.0);
         if (std::abs(from_image) < std::abs(offset)) {
-            const double half = pi * from_image;
+            const double half = std::numbers::pi * from_image;
             const double mean =
                 std::abs(half) < 1e-9 ? 1 : std::sin(count * half) / (count * std::sin(half));
             moment -= moment_at(std::remainder(-image, 1.0), count) * mean;
