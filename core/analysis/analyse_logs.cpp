@@ -1,6 +1,5 @@
 #include "core/analysis/analyse_logs.h"
 
-#include "core/analysis/power_log.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/read_value.h"
 #include "core/estimators/wave/estimator.h"

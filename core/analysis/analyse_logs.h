@@ -3,7 +3,7 @@
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
 #include "core/analysis/identify_settings.h"
-#include "core/analysis/phasor_log.h"
+#include "core/analysis/logs.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
 #include "core/recording/samples/open_options.h"

@@ -1,7 +1,6 @@
 #include "core/analysis/log_look.h"
 
-#include "core/analysis/phasor_log.h"
-#include "core/analysis/power_log.h"
+#include "core/analysis/logs.h"
 #include "core/base/plain_text.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/open/preview.h"

@@ -1,7 +1,5 @@
-#include "core/analysis/phasor_log.h"
-
 #include "core/analysis/frame_check.h"
-#include "core/analysis/power_log.h"
+#include "core/analysis/logs.h"
 #include "core/base/read_value.h"
 #include "core/numerics/lock_in.h"
 #include "core/numerics/statistics.h"

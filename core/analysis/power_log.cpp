@@ -1,5 +1,4 @@
-#include "core/analysis/power_log.h"
-
+#include "core/analysis/logs.h"
 #include "core/base/read_value.h"
 
 #include <cmath>

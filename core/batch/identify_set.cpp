@@ -3,7 +3,6 @@
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/idle_options.h"
 #include "core/analysis/measurement_list.h"
-#include "core/analysis/power_log.h"
 #include "core/analysis/prepare.h"
 #include "core/base/job_control.h"
 #include "core/base/number_text.h"

@@ -1,6 +1,6 @@
 #include "ui/import/log_dialog.h"
 
-#include "core/analysis/power_log.h"
+#include "core/analysis/logs.h"
 #include "core/analysis/setting_table.h"
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/open_table.h"
