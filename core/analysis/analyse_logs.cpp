@@ -83,18 +83,16 @@ Track track_of(const PhasorRun& run, double noise_sd) {
     return track;
 }
 
-Result<PhasorLog> read_as_phasors(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const SignalSettings& signal,
-                                  const JobControl& job) {
-    if (!choice.without_phase()) {
-        return read_phasor_log(path, options, choice, signal, job);
+Result<PhasorLog> read_as_phasors(const LogFile& file) {
+    if (!file.choice.without_phase()) {
+        return read_phasor_log(file);
     }
     constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max() / 2;
-    const auto powers = TRY(read_power_log(path, options, choice, signal, job));
+    const auto powers = TRY(read_power_log(file));
     PhasorLog log{phasors_without_phase(powers, all_rows), 0,
                   static_cast<std::int64_t>(powers.time_s.size()), 1, 0};
     if (log.run.time_s.empty()) {
-        return Error{ErrorCode::no_valid_samples, path.string(), {}};
+        return Error{ErrorCode::no_valid_samples, file.path.string(), {}};
     }
     for (double& time : log.run.time_s) {
         time += powers.time_s.front();
@@ -149,7 +147,7 @@ Result<Analysis> analyse_log(const std::filesystem::path& path, const OpenOption
                              const JobControl& job) {
     TRY(validate(settings));
     const double begun = job.now();
-    const auto log = TRY(read_as_phasors(path, options, choice, settings, job));
+    const auto log = TRY(read_as_phasors({path, options, choice, settings, job}));
     Analysis analysis;
     analysis.timing.read_s = job.now() - begun;
     analysis.timing.threads = 1;

@@ -27,22 +27,34 @@ struct PhasorLog {
     std::vector<Diagnostic> warnings = {};
 };
 
+// A log, and how it is read: of the signal's settings the times and the calibration but for the
+// offsets.
+struct LogFile {
+    const std::filesystem::path& path;
+    const OpenOptions& options;
+    const LogChoice& choice;
+    const SignalSettings& signal;
+    const JobControl& job;
+};
+
+// angle_factor() of one of its columns.
+inline Result<double> rad_per_unit(const LogFile& file, const LogColumn& angles) {
+    return angle_factor(file.path, angles, file.choice.rad_per_angle_unit);
+}
+
 // What the columns of a log of phasors may be: of both channels in one table, or of one channel in
 // a table of its own.
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame);
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame);
 
-// Reads the times of a log of a lock-in or a phasemeter that the settings of the signal choose, in
-// the frame that the choice declares, and applies their calibration but for the offsets. One table
-// holds both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
+// Reads a log of a lock-in or a phasemeter in the frame that the choice declares. One table holds
+// both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
 // lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
 // are, because it commutes with the motion. What it leaves at twice the carrier is taken out
 // (remove_image()). The noise is what a linear recurrence z(t + T) = A z(t) leaves. A frame that
 // the rows contradict is an error. Errors: setting_invalid, rate_unknown, too_few_frames, those of
 // column_wishes(), read_log() and angle_factor().
-Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const SignalSettings& signal,
-                                  const JobControl& job);
+Result<PhasorLog> read_phasor_log(const LogFile& file);
 
 // What the columns of a log without a phase may be: E, R, S, Q, or a, b, theta, those of a track,
 // too.
@@ -51,18 +63,13 @@ const std::vector<ColumnRole>& roles_of_waves();
 
 // The columns of a log, at the times that the settings of the signal choose. Errors: those of
 // read_log() and keep_times().
-Result<LogTable> read_log_columns(const std::filesystem::path& path, const OpenOptions& options,
-                                  const std::vector<ColumnWish>& wishes,
-                                  const SignalSettings& signal, const JobControl& job);
+Result<LogTable> read_log_columns(const LogFile& file, const std::vector<ColumnWish>& wishes);
 
-// Reads a log of E, R, S, Q or of a, b, theta, as `columns` says, of the times that the settings of
-// the signal choose, and applies their calibration but for the offsets. A delay of D needs f0_hz: a
-// log without a phase has no frequency. Columns that are exchanged are refused where E or a is not
+// Reads a log of E, R, S, Q or of a, b, theta, as the choice says. A delay of D needs f0_hz: a log
+// without a phase has no frequency. Columns that are exchanged are refused where E or a is not
 // the largest. Errors: setting_invalid, those of column_wishes(), read_log(), keep_times() and
 // angle_factor().
-Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
-                                const LogChoice& columns, const SignalSettings& signal,
-                                const JobControl& job);
+Result<PowerRun> read_power_log(const LogFile& file);
 
 // Refuses a delay (s), which a log without a phase cannot take without a carrier.
 Error refused_delay(const char* option, double delay_s);

@@ -52,19 +52,9 @@ double step_of(const LogRows& rows) {
     return median(std::move(steps));
 }
 
-// A log, and how it is read.
-struct LogFile {
-    const std::filesystem::path& path;
-    const OpenOptions& options;
-    const LogChoice& choice;
-    const SignalSettings& signal;
-    const JobControl& job;
-};
-
-Result<LogTable> read_columns(const LogFile& log, const std::filesystem::path& path,
-                              const std::vector<ColumnRole>& roles) {
-    const auto wishes = TRY(column_wishes(log.choice.names, roles));
-    auto table = TRY(read_log_columns(path, log.options, wishes, log.signal, log.job));
+Result<LogTable> read_columns(const LogFile& file, const std::vector<ColumnRole>& roles) {
+    const auto wishes = TRY(column_wishes(file.choice.names, roles));
+    auto table = TRY(read_log_columns(file, wishes));
     for (LogColumn& column : table.columns) {
         const double hz = column.role == "F" ? hertz_per(column.unit).value_or(1) : 1;
         std::ranges::for_each(column.values, [hz](double& value) { value *= hz; });
@@ -79,7 +69,7 @@ Error wrong_choice(const PhasorChoice& choice, MessageArg why) {
 
 // One channel: X + iY, in the frame of each channel's own phase turned by that.
 struct Channel {
-    const std::filesystem::path& file;
+    const LogFile& file;
     const LogColumn& x;
     const LogColumn& y;
     const LogColumn* phase;  // null: there is none
@@ -100,8 +90,8 @@ bool repeats_phase(const Channel& channel, double rad) {
     return 10 * own > 9 * phase.size() && 2 * turned > phase.size();
 }
 
-Result<std::vector<Complex>> phasors_of(const LogFile& log, const Channel& channel) {
-    const PhasorChoice& how = log.choice.phasors;
+Result<std::vector<Complex>> phasors_of(const Channel& channel) {
+    const PhasorChoice& how = channel.file.choice.phasors;
     std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
         phasors[k] =
@@ -110,8 +100,7 @@ Result<std::vector<Complex>> phasors_of(const LogFile& log, const Channel& chann
     if (how.frame != PhasorFrame::pll || channel.phase == nullptr) {
         return phasors;
     }
-    const double rad =
-        TRY(angle_factor(channel.file, *channel.phase, log.choice.rad_per_angle_unit));
+    const double rad = TRY(rad_per_unit(channel.file, *channel.phase));
     if (repeats_phase(channel, rad)) {
         return wrong_choice(
             how, Phrase::tr("column %1 is the phase of X + iY itself: choose --phasors fixed",
@@ -124,18 +113,18 @@ Result<std::vector<Complex>> phasors_of(const LogFile& log, const Channel& chann
 }
 
 // A phase beside the phasors that moves, and that the declared frame leaves aside.
-Status check_left_aside(const LogFile& log, const Channel& channel, PhasorFrame of_phase) {
+Status check_left_aside(const Channel& channel, PhasorFrame of_phase) {
     constexpr double harmless_rad = 0.01 * 2 * pi;
     if (channel.phase == nullptr) {
         return {};
     }
-    const auto rad = angle_factor(channel.file, *channel.phase, log.choice.rad_per_angle_unit);
+    const auto rad = rad_per_unit(channel.file, *channel.phase);
     const auto [least, most] = range_of(*channel.phase);
     if (!rad || !(*rad * (most - least) > harmless_rad) || repeats_phase(channel, *rad)) {
         return {};
     }
     return wrong_choice(
-        log.choice.phasors,
+        channel.file.choice.phasors,
         Phrase::tr(
             "the phase in column %1 moves, so that this is not the frame: choose --phasors %2",
             {channel.phase->name, frame_name(of_phase)}));
@@ -207,9 +196,9 @@ bool is_another(double hz, double other_hz) {
 }
 
 // The reference of the rows, whose phasors it turns where it moves.
-Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* phase,
+Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* phase,
              LogRows& rows) {
-    const PhasorChoice& how = log.choice.phasors;
+    const PhasorChoice& how = file.choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
         const auto [least, most] = range_of(*frequency);
@@ -235,7 +224,7 @@ Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* ph
                                             "phase: name it F or P in --columns"));
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
-        const double rad = TRY(angle_factor(log.path, *phase, log.choice.rad_per_angle_unit));
+        const double rad = TRY(rad_per_unit(file, *phase));
         for (const double angle : phase->values) {
             rows.turn.push_back(std::polar(1.0, rad * angle));
         }
@@ -258,17 +247,19 @@ Status refer(const LogFile& log, const LogColumn* frequency, const LogColumn* ph
 }
 
 // One table holds both channels, or each has its own.
-Result<LogRows> read_rows(const LogFile& log) {
-    const PhasorFrame frame = log.choice.phasors.frame;
-    const std::filesystem::path d_file = log.options.channel_d_file;
+Result<LogRows> read_rows(const LogFile& file) {
+    const PhasorFrame frame = file.choice.phasors.frame;
+    const std::filesystem::path d_file = file.options.channel_d_file;
     const bool apart = !d_file.empty();
+    const LogFile file_of_d{apart ? d_file : file.path, file.options, file.choice, file.signal,
+                            file.job};
     const auto roles = apart ? roles_of_one(frame) : roles_of_both(frame);
-    auto of_c = TRY(read_columns(log, log.path, roles));
-    auto second = TRY(apart ? read_columns(log, d_file, roles) : Result(LogTable{}));
+    auto of_c = TRY(read_columns(file, roles));
+    auto second = TRY(apart ? read_columns(file_of_d, roles) : Result(LogTable{}));
     LogTable& of_d = apart ? second : of_c;
-    const auto column = [apart](LogTable & table, const char* role_apart,
-                                const char* role) -> auto& {
-        return table.of(apart ? role_apart : role);
+    const auto column = [apart](LogTable& table, const char* alone,
+                                const char* beside) -> LogColumn& {
+        return table.of(apart ? alone : beside);
     };
     LogColumn& x_c = column(of_c, "X", "Xc");
     LogColumn& y_c = column(of_c, "Y", "Yc");
@@ -277,8 +268,8 @@ Result<LogRows> read_rows(const LogFile& log) {
     for (LogColumn* const other : {&y_c, &x_d, &y_d}) {
         bring_to_unit_of(x_c, *other);
     }
-    const Channel c{log.path, x_c, y_c, of_c.find(apart ? "P" : "Pc")};
-    const Channel d{apart ? d_file : log.path, x_d, y_d, of_d.find(apart ? "P" : "Pd")};
+    const Channel c{file, x_c, y_c, of_c.find(apart ? "P" : "Pc")};
+    const Channel d{file_of_d, x_d, y_d, of_d.find(apart ? "P" : "Pd")};
     const auto& t = of_c.time_s;
     const auto& t_of_d = of_d.time_s;
     const std::size_t count = std::min(t.size(), t_of_d.size());
@@ -291,16 +282,16 @@ Result<LogRows> read_rows(const LogFile& log) {
         }
     }
     if (!apart && frame != PhasorFrame::pll) {
-        TRY(check_left_aside(log, c, PhasorFrame::pll));
-        TRY(check_left_aside(log, d, PhasorFrame::pll));
+        TRY(check_left_aside(c, PhasorFrame::pll));
+        TRY(check_left_aside(d, PhasorFrame::pll));
     }
     if (!apart && frame == PhasorFrame::fixed) {
-        TRY(check_left_aside(log, {log.path, x_c, y_c, of_c.find("P")}, PhasorFrame::common));
+        TRY(check_left_aside({file, x_c, y_c, of_c.find("P")}, PhasorFrame::common));
     }
     LogRows rows;
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    rows.c = TRY(phasors_of(log, c));
-    rows.d = TRY(phasors_of(log, d));
+    rows.c = TRY(phasors_of(c));
+    rows.d = TRY(phasors_of(d));
     rows.c.resize(count);
     rows.d.resize(count);
     if (t.size() != t_of_d.size()) {
@@ -320,7 +311,7 @@ Result<LogRows> read_rows(const LogFile& log) {
                        {number_arg(median(f_d->values), 10, "Hz"),
                         number_arg(median(f_c->values), 10, "Hz")}));
     }
-    TRY(refer(log, f_c, of_c.find("P"), rows));
+    TRY(refer(file, f_c, of_c.find("P"), rows));
     return rows;
 }
 
@@ -482,20 +473,19 @@ std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
             {"F", {"F", "f", "freq", "frequency"}, false}};
 }
 
-Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenOptions& options,
-                                  const LogChoice& choice, const SignalSettings& signal,
-                                  const JobControl& job) {
-    TRY(check_told(choice.phasors));
-    auto rows = TRY(read_rows({path, options, choice, signal, job}));
+Result<PhasorLog> read_phasor_log(const LogFile& file) {
+    const PhasorChoice& how = file.choice.phasors;
+    TRY(check_told(how));
+    auto rows = TRY(read_rows(file));
     drop_missing(rows);
     constexpr std::size_t least_rows = 8;
     if (rows.time_s.size() < least_rows) {
         return Error{ErrorCode::too_few_frames,
-                     path.string(),
+                     file.path.string(),
                      {count_arg(static_cast<std::int64_t>(rows.time_s.size())),
                       count_arg(static_cast<std::int64_t>(least_rows))}};
     }
-    const LockIn& filter = choice.phasors.filter;
+    const LockIn& filter = how.filter;
     const double step_s = step_of(rows);
     const double told_hz = rows.f_ref_hz;
     for (double& t : rows.time_s) {
@@ -517,25 +507,25 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     };
     warn(mirrored_channel(rows.c, rows.d, step_s));
     warn(backward_oscillator(rows.c, rows.d, rows.turn));
-    if (choice.phasors.frame != PhasorFrame::pll) {
+    if (how.frame != PhasorFrame::pll) {
         const PhasorRun as_referred = windows_of_rows(rows, apart, step_s);
         warn(followed_channel(as_referred.c, as_referred.d));
     }
     centre(step_s, rows);
-    if (choice.phasors.frame == PhasorFrame::fixed) {
+    if (how.frame == PhasorFrame::fixed) {
         for (std::vector<Complex>* const channel : {&rows.c, &rows.d}) {
             filter.take_out(rows.f_ref_hz - told_hz, step_s, rows.time_s, *channel);
         }
     }
     remove_image(rows.f_ref_hz, rows.time_s, rows.c, rows.d);
-    calibrate(signal.calibration, rows);
+    calibrate(file.signal.calibration, rows);
     const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
     const auto [settled_correlation, settled_share] = filter.noise_of_means(apart, step_s);
     const double neighbours = settled_correlation.size() > 1 ? settled_correlation[1] : 0;
     const Recurrence recurrence = recurrence_of(settled_run, neighbours);
     if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
         return Error{ErrorCode::fit_failed,
-                     path.string(),
+                     file.path.string(),
                      {Phrase::tr("no wave stands out of the noise; choose the seconds of the "
                                  "decay, or other columns")}};
     }
@@ -545,7 +535,7 @@ Result<PhasorLog> read_phasor_log(const std::filesystem::path& path, const OpenO
     log.rate_hz = 1 / step_s;
     log.rows_per_window = static_cast<std::int64_t>(count);
     log.run = windows_of_rows(rows, count, step_s);
-    log.run.two_theta_zero = signal.calibration.two_theta_zero();
+    log.run.two_theta_zero = file.signal.calibration.two_theta_zero();
     auto [correlation, share] = filter.noise_of_means(count, step_s);
     const double sd = recurrence.sd * std::sqrt(share / settled_share);
     // Digits of a file without noise.

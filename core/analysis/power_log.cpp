@@ -77,25 +77,22 @@ const std::vector<ColumnRole>& roles_of_waves() {
     return roles;
 }
 
-Result<LogTable> read_log_columns(const std::filesystem::path& path, const OpenOptions& options,
-                                  const std::vector<ColumnWish>& wishes,
-                                  const SignalSettings& signal, const JobControl& job) {
-    auto table = TRY(read_log(path, options, wishes, job));
-    TRY(keep_times(path, signal.from_s.value_or(TimeRange{}.from_s),
-                   signal.to_s.value_or(TimeRange{}.to_s), table));
+Result<LogTable> read_log_columns(const LogFile& file, const std::vector<ColumnWish>& wishes) {
+    auto table = TRY(read_log(file.path, file.options, wishes, file.job));
+    TRY(keep_times(file.path, file.signal.from_s.value_or(TimeRange{}.from_s),
+                   file.signal.to_s.value_or(TimeRange{}.to_s), table));
     return table;
 }
 
-Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOptions& options,
-                                const LogChoice& columns, const SignalSettings& signal,
-                                const JobControl& job) {
+Result<PowerRun> read_power_log(const LogFile& file) {
+    const LogChoice& columns = file.choice;
     const auto waves = column_wishes(columns.names, roles_of_waves());
     const auto wishes = TRY(waves ? waves : column_wishes(columns.names, roles_of_powers()));
-    auto table = TRY(read_log_columns(path, options, wishes, signal, job));
+    auto table = TRY(read_log_columns(file, wishes));
     PowerRun run;
     if (waves) {
         LogColumn& theta = table.of("theta");
-        const auto factor = TRY(angle_factor(path, theta, columns.rad_per_angle_unit));
+        const auto factor = TRY(rad_per_unit(file, theta));
         for (double& value : theta.values) {
             value *= factor;
         }
@@ -113,7 +110,7 @@ Result<PowerRun> read_power_log(const std::filesystem::path& path, const OpenOpt
         run.q = std::move(table.of("Q").values);
         run.time_s = std::move(table.time_s);
     }
-    TRY(calibrate(signal, run));
+    TRY(calibrate(file.signal, run));
     return run;
 }
 

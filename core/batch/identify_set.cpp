@@ -56,14 +56,14 @@ std::vector<std::string> signals_of(const RecordingRef& told, const Recording& r
 // Reads a log into the set and returns its times.
 Result<std::vector<double>> read_log_into(OpenSet& open, std::size_t place, const JobControl& job) {
     const RecordingRef& told = open.set.recordings[place];
-    const SignalSettings& signal = open.set.settings.signal_of(place);
     const LogChoice& choice = open.set.settings.logs;
+    const LogFile file{told.path, told.open, choice, open.set.settings.signal_of(place), job};
     if (choice.phasors.frame != PhasorFrame::none) {
-        auto log = TRY(read_phasor_log(told.path, told.open, choice, signal, job));
+        auto log = TRY(read_phasor_log(file));
         open.phasors.push_back(std::move(log));
         return open.phasors.back().run.time_s;
     }
-    auto log = TRY(read_power_log(told.path, told.open, choice, signal, job));
+    auto log = TRY(read_power_log(file));
     open.logs.push_back(std::move(log));
     return open.logs.back().time_s;
 }
