@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/analysis/logs.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/passport.h"
-#include "core/analysis/logs.h"
 #include "core/base/diagnostic.h"
 #include "core/base/job_control.h"
 #include "core/base/result.h"
