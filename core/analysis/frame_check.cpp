@@ -2,6 +2,8 @@
 
 #include "core/numerics/statistics.h"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,6 +106,74 @@ struct ImageSums {
     double rows = 0;  // |second difference of the phasors|^2
     std::size_t count = 0;
 };
+
+// Whether the window follows that before without a gap.
+bool goes_on(const PhasorRun& run, std::size_t k) {
+    return run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s;
+}
+
+// What the linear recurrence of the motion leaves of a run, in stretches of windows.
+struct Recurrence {
+    double sd = 0;         // of the noise of a window's real or imaginary part
+    double explained = 1;  // share of the power
+};
+
+Recurrence recurrence_of(const PhasorRun& run, double neighbours) {
+    double power = 0;
+    double left = 0;
+    constexpr Eigen::Index stretch = 40;
+    constexpr Eigen::Index least = 7;
+    Eigen::MatrixX2cd before(stretch, 2);
+    Eigen::MatrixX2cd after(stretch, 2);
+    std::vector<double> variances;
+    Eigen::Index steps = 0;
+    for (std::size_t k = 1; k < run.c.size(); ++k) {
+        if (goes_on(run, k)) {
+            before.row(steps) << run.c[k - 1], run.d[k - 1];
+            after.row(steps) << run.c[k], run.d[k];
+            ++steps;
+        }
+        const bool last = k + 1 == run.c.size() && steps >= least;
+        if (steps == stretch || last) {
+            const auto from = before.topRows(steps);
+            const auto to = after.topRows(steps);
+            const Eigen::Matrix2cd a = from.colPivHouseholderQr().solve(to);
+            const double rest = (to - from * a).squaredNorm();
+            const double each = rest / static_cast<double>(4 * (steps - 2));
+            const double grows = 1 + a.squaredNorm() / 2 - neighbours * a.trace().real();
+            variances.push_back(each / grows);
+            power += to.squaredNorm();
+            left += rest;
+            steps = 0;
+        }
+    }
+    return variances.empty()
+               ? Recurrence{}
+               : Recurrence{std::sqrt(median(std::move(variances))), 1 - left / power};
+}
+
+// Whether windows follow their neighbours, as noise does not: a wave of much noise does so in the
+// sum of all, a beat in each stretch.
+bool holds_wave(const PhasorRun& run, double neighbours, double explained) {
+    constexpr double more_than_noise = 0.3;
+    if (explained > more_than_noise) {
+        return true;
+    }
+    constexpr std::size_t few = 20;
+    constexpr double deviations = 5;
+    std::complex<double> follows = 0;
+    double power = 0;
+    std::size_t pairs = 0;
+    for (std::size_t k = 1; k < run.c.size(); ++k) {
+        if (goes_on(run, k)) {
+            follows += run.product(k - 1, k);
+            power += run.power(k);
+            ++pairs;
+        }
+    }
+    const double of_noise = neighbours + deviations / std::sqrt(2.0 * static_cast<double>(pairs));
+    return pairs < few || std::abs(follows) > of_noise * power;
+}
 
 }  // namespace
 
@@ -219,6 +289,11 @@ void remove_image(double f_ref_hz, const std::vector<double>& time_s, ChannelRow
             z = (z - h * image_of(*channel, k)) / (1 - std::norm(h));
         }
     }
+}
+
+std::optional<double> noise_beside_wave(const PhasorRun& run, double neighbours) {
+    const Recurrence found = recurrence_of(run, neighbours);
+    return holds_wave(run, neighbours, found.explained) ? std::optional(found.sd) : std::nullopt;
 }
 
 }  // namespace vybeg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
+#include "core/resonator/model/phasor_run.h"
 
 #include <complex>
 #include <optional>
@@ -40,5 +41,10 @@ std::optional<Diagnostic> backward_oscillator(const std::vector<std::complex<dou
 // time; all values finite.
 void remove_image(double f_ref_hz, const std::vector<double>& time_s,
                   std::vector<std::complex<double>>& c, std::vector<std::complex<double>>& d);
+
+// Standard deviation of the noise of a window's real or imaginary part, by what a linear recurrence
+// z(t + T) = A z(t) leaves of the windows; nothing where they follow their neighbours no more than
+// noise does. `neighbours`: correlation of the noise of a window with that of the next.
+std::optional<double> noise_beside_wave(const PhasorRun& run, double neighbours);
 
 }  // namespace vybeg

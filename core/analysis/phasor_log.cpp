@@ -7,8 +7,6 @@
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/vocabulary.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -56,7 +54,7 @@ Result<LogTable> read_columns(const LogFile& file, const std::vector<ColumnRole>
     const auto wishes = TRY(column_wishes(file.choice.names, roles));
     auto table = TRY(read_log_columns(file, wishes));
     for (LogColumn& column : table.columns) {
-        const double hz = column.role == "F" ? hertz_per(column.unit).value_or(1) : 1;
+        const double hz = column.role.starts_with('F') ? hertz_per(column.unit).value_or(1) : 1;
         std::ranges::for_each(column.values, [hz](double& value) { value *= hz; });
     }
     return table;
@@ -90,7 +88,47 @@ bool repeats_phase(const Channel& channel, double rad) {
     return 10 * own > 9 * phase.size() && 2 * turned > phase.size();
 }
 
-Result<std::vector<Complex>> phasors_of(const Channel& channel) {
+// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: what
+// it holds of the carrier; 0 of any other phase. Errors: those of angle_factor(); setting_invalid
+// where it is that of the reference as well.
+Result<double> carrier_in(const LogFile& file, const LogColumn& phase,
+                          const std::vector<double>& time_s) {
+    const double rad = TRY(rad_per_unit(file, phase));
+    std::vector<double> rates;
+    std::size_t fast = 0;
+    for (std::size_t k = 1; k < time_s.size(); ++k) {
+        const double turns = rad * (phase.values[k] - phase.values[k - 1]) / (2 * pi);
+        if (std::isfinite(turns)) {
+            rates.push_back(turns / (time_s[k] - time_s[k - 1]));
+            fast += std::abs(turns) > 0.5 ? 1U : 0U;
+        }
+    }
+    if (10 * fast <= 9 * rates.size()) {
+        return 0;
+    }
+    const double carrier_hz = median(std::move(rates));
+    const double f_ref_hz = file.choice.phasors.f_ref_hz;
+    constexpr double near = 0.05;  // the oscillator is nearer to the wave
+    if (f_ref_hz > 0 && std::abs(carrier_hz / f_ref_hz - 1) < near) {
+        return wrong_choice(
+            file.choice.phasors,
+            Phrase::tr("the phase in column %1 goes on by the whole carrier, %2: it is relative to "
+                       "no reference; leave --f-ref out",
+                       {phase.name, number_arg(carrier_hz, 10, "Hz")}));
+    }
+    return carrier_hz;
+}
+
+// e^{i phase} of a row, without what the phase holds of the carrier.
+Complex turn_by(double rad, const LogColumn& phase, std::size_t k, double carrier_hz,
+                const std::vector<double>& time_s) {
+    const double turns = rad * phase.values[k] / (2 * pi) - carrier_hz * time_s[k];
+    return std::polar(1.0, 2 * pi * std::remainder(turns, 1.0));
+}
+
+// At `time_s`; `carrier_hz` is taken out of the channel's own phase.
+Result<std::vector<Complex>> phasors_of(const Channel& channel, const std::vector<double>& time_s,
+                                        double carrier_hz) {
     const PhasorChoice& how = channel.file.choice.phasors;
     std::vector<Complex> phasors(channel.x.values.size());
     for (std::size_t k = 0; k < phasors.size(); ++k) {
@@ -107,7 +145,7 @@ Result<std::vector<Complex>> phasors_of(const Channel& channel) {
                             {channel.phase->name}));
     }
     for (std::size_t k = 0; k < phasors.size(); ++k) {
-        phasors[k] *= std::polar(1.0, rad * channel.phase->values[k]);
+        phasors[k] *= turn_by(rad, *channel.phase, k, carrier_hz, time_s);
     }
     return phasors;
 }
@@ -195,9 +233,23 @@ bool is_another(double hz, double other_hz) {
     return std::abs(hz - other_hz) > five_digits * other_hz;
 }
 
-// The reference of the rows, whose phasors it turns where it moves.
+// Channels whose references differ have a phase to each other that nothing tells.
+Status check_references(const PhasorChoice& how, const LogColumn* of_c, const LogColumn* of_d) {
+    if (how.frame == PhasorFrame::common || of_c == nullptr || of_d == nullptr ||
+        !is_another(median(of_d->values), median(of_c->values))) {
+        return {};
+    }
+    return wrong_choice(
+        how, Phrase::tr("the reference of channel D is %1, that of channel C %2: record both with "
+                        "one oscillator",
+                        {number_arg(median(of_d->values), 10, "Hz"),
+                         number_arg(median(of_c->values), 10, "Hz")}));
+}
+
+// The reference of the rows, whose phasors it turns where it moves; `carrier_hz` is what their own
+// phases held of the carrier.
 Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* phase,
-             LogRows& rows) {
+             double carrier_hz, LogRows& rows) {
     const PhasorChoice& how = file.choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
     if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
@@ -225,20 +277,30 @@ Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* p
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(rad_per_unit(file, *phase));
-        for (const double angle : phase->values) {
-            rows.turn.push_back(std::polar(1.0, rad * angle));
+        carrier_hz = TRY(carrier_in(file, *phase, rows.time_s));
+        for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
+            rows.turn.push_back(turn_by(rad, *phase, k, carrier_hz, rows.time_s));
         }
-        if (frequency != nullptr && rows.f_ref_hz == 0) {
+        if (frequency != nullptr && rows.f_ref_hz + carrier_hz == 0) {
             rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
-        rows.f_ref_hz = TRY(turn_of_frequency(how, *frequency, rows));
+        const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
+        // An oscillator of less than half the rows' rate is none: these are deviations.
+        const bool deviates = std::abs(mean_hz) < 0.5 / step_of(rows);
+        if (deviates && !(how.f_ref_hz > 0)) {
+            return wrong_choice(how, Phrase::tr("column %1 holds deviations of a frequency: give "
+                                                "the frequency by --f-ref",
+                                                {frequency->name}));
+        }
+        rows.f_ref_hz = mean_hz + (deviates ? how.f_ref_hz : 0);
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
         rows.f_ref_hz = median(frequency->values);
     }
     if (!rows.turn.empty()) {
         turn_rows(rows, [&](std::size_t k) { return rows.turn[k]; });
     }
+    rows.f_ref_hz += carrier_hz;
     if (!(rows.f_ref_hz > 0)) {
         return wrong_choice(
             how, Phrase::tr("the frequency of the reference is not in the file: give --f-ref"));
@@ -251,6 +313,11 @@ Result<LogRows> read_rows(const LogFile& file) {
     const PhasorFrame frame = file.choice.phasors.frame;
     const std::filesystem::path d_file = file.options.channel_d_file;
     const bool apart = !d_file.empty();
+    std::error_code unknown;
+    if (apart && std::filesystem::equivalent(file.path, d_file, unknown)) {
+        return refused_value("--channel-d", d_file.string(),
+                             Phrase::tr("it is the channel that is read as C"));
+    }
     const LogFile file_of_d{apart ? d_file : file.path, file.options, file.choice, file.signal,
                             file.job};
     const auto roles = apart ? roles_of_one(frame) : roles_of_both(frame);
@@ -290,8 +357,15 @@ Result<LogRows> read_rows(const LogFile& file) {
     }
     LogRows rows;
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
-    rows.c = TRY(phasors_of(c));
-    rows.d = TRY(phasors_of(d));
+    const double carrier_hz =
+        TRY(frame == PhasorFrame::pll && c.phase != nullptr ? carrier_in(file, *c.phase, t)
+                                                            : Result<double>(0));
+    rows.c = TRY(phasors_of(c, t, carrier_hz));
+    std::vector<double> by_times_of_c = t_of_d;
+    for (double& time_s : by_times_of_c) {
+        time_s += of_d.begun_s - of_c.begun_s;
+    }
+    rows.d = TRY(phasors_of(d, by_times_of_c, carrier_hz));
     rows.c.resize(count);
     rows.d.resize(count);
     if (t.size() != t_of_d.size()) {
@@ -301,17 +375,8 @@ Result<LogRows> read_rows(const LogFile& file) {
              {count_arg(static_cast<std::int64_t>(t.size())), d_file.filename().string(),
               count_arg(static_cast<std::int64_t>(t_of_d.size()))}});
     }
-    const LogColumn* const f_c = of_c.find("F");
-    const LogColumn* const f_d = of_d.find("F");
-    if (apart && frame == PhasorFrame::fixed && f_c != nullptr && f_d != nullptr &&
-        is_another(median(f_d->values), median(f_c->values))) {
-        return refused_value(
-            "--channel-d", d_file.string(),
-            Phrase::tr("its reference is %1, that of channel C %2: record both with one oscillator",
-                       {number_arg(median(f_d->values), 10, "Hz"),
-                        number_arg(median(f_c->values), 10, "Hz")}));
-    }
-    TRY(refer(file, f_c, of_c.find("P"), rows));
+    TRY(check_references(file.choice.phasors, of_c.find("F"), of_d.find(apart ? "F" : "Fd")));
+    TRY(refer(file, of_c.find("F"), of_c.find("P"), carrier_hz, rows));
     return rows;
 }
 
@@ -382,74 +447,6 @@ PhasorRun windows_of_rows(const LogRows& rows, std::size_t count, double step_s)
     return run;
 }
 
-// Whether the window follows that before without a gap.
-bool goes_on(const PhasorRun& run, std::size_t k) {
-    return run.time_s[k] - run.time_s[k - 1] < 1.5 * run.window_s;
-}
-
-// What the linear recurrence of the motion leaves of a run, in stretches of windows.
-struct Recurrence {
-    double sd = 0;         // of the noise of a window's real or imaginary part
-    double explained = 1;  // share of the power
-};
-
-Recurrence recurrence_of(const PhasorRun& run, double neighbours) {
-    double power = 0;
-    double left = 0;
-    constexpr Eigen::Index stretch = 40;
-    constexpr Eigen::Index least = 7;
-    Eigen::MatrixX2cd before(stretch, 2);
-    Eigen::MatrixX2cd after(stretch, 2);
-    std::vector<double> variances;
-    Eigen::Index steps = 0;
-    for (std::size_t k = 1; k < run.c.size(); ++k) {
-        if (goes_on(run, k)) {
-            before.row(steps) << run.c[k - 1], run.d[k - 1];
-            after.row(steps) << run.c[k], run.d[k];
-            ++steps;
-        }
-        const bool last = k + 1 == run.c.size() && steps >= least;
-        if (steps == stretch || last) {
-            const auto from = before.topRows(steps);
-            const auto to = after.topRows(steps);
-            const Eigen::Matrix2cd a = from.colPivHouseholderQr().solve(to);
-            const double rest = (to - from * a).squaredNorm();
-            const double each = rest / static_cast<double>(4 * (steps - 2));
-            const double grows = 1 + a.squaredNorm() / 2 - neighbours * a.trace().real();
-            variances.push_back(each / grows);
-            power += to.squaredNorm();
-            left += rest;
-            steps = 0;
-        }
-    }
-    return variances.empty()
-               ? Recurrence{}
-               : Recurrence{std::sqrt(median(std::move(variances))), 1 - left / power};
-}
-
-// Whether windows follow their neighbours, as noise does not: a wave of much noise does so in the
-// sum of all, a beat in each stretch.
-bool holds_wave(const PhasorRun& run, double neighbours, double explained) {
-    constexpr double more_than_noise = 0.3;
-    if (explained > more_than_noise) {
-        return true;
-    }
-    constexpr std::size_t few = 20;
-    constexpr double deviations = 5;
-    Complex follows = 0;
-    double power = 0;
-    std::size_t pairs = 0;
-    for (std::size_t k = 1; k < run.c.size(); ++k) {
-        if (goes_on(run, k)) {
-            follows += run.product(k - 1, k);
-            power += run.power(k);
-            ++pairs;
-        }
-    }
-    const double of_noise = neighbours + deviations / std::sqrt(2.0 * static_cast<double>(pairs));
-    return pairs < few || std::abs(follows) > of_noise * power;
-}
-
 }  // namespace
 
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
@@ -462,7 +459,8 @@ std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
             {"Pc", {"Pc", "Input 1 Phase"}, own},
             {"Pd", {"Pd", "Input 2 Phase"}, own},
             {"F", {"F", "f", "freq", "frequency", "Input 1 Set Frequency"}, false},
-            {"P", {"P"}, false}};
+            {"P", {"P"}, false},
+            {"Fd", {"Input 2 Set Frequency"}, false}};
 }
 
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame) {
@@ -522,8 +520,8 @@ Result<PhasorLog> read_phasor_log(const LogFile& file) {
     const PhasorRun settled_run = windows_of_rows(rows, apart, step_s);
     const auto [settled_correlation, settled_share] = filter.noise_of_means(apart, step_s);
     const double neighbours = settled_correlation.size() > 1 ? settled_correlation[1] : 0;
-    const Recurrence recurrence = recurrence_of(settled_run, neighbours);
-    if (!holds_wave(settled_run, neighbours, recurrence.explained)) {
+    const std::optional<double> sd_of_settled = noise_beside_wave(settled_run, neighbours);
+    if (!sd_of_settled) {
         return Error{ErrorCode::fit_failed,
                      file.path.string(),
                      {Phrase::tr("no wave stands out of the noise; choose the seconds of the "
@@ -537,7 +535,7 @@ Result<PhasorLog> read_phasor_log(const LogFile& file) {
     log.run = windows_of_rows(rows, count, step_s);
     log.run.two_theta_zero = file.signal.calibration.two_theta_zero();
     auto [correlation, share] = filter.noise_of_means(count, step_s);
-    const double sd = recurrence.sd * std::sqrt(share / settled_share);
+    const double sd = *sd_of_settled * std::sqrt(share / settled_share);
     // Digits of a file without noise.
     constexpr double least = 1e-15;
     double size = 0;

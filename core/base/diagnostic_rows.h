@@ -46,6 +46,10 @@ ROW(channel_delayed, warning,
     Sentence::tr("The times of channel D begin %1 s (%2 samples) after those of channel C; D was "
                  "interpolated to C's times. What its times are wrong by is a phase between the "
                  "channels ({--delay|delay of D})."))
+ROW(channel_clocks_apart, warning,
+    Sentence::tr("By their own times the sample rate of channel D is %1 ppm above that of channel "
+                 "C; D was interpolated to C's times. Where both have one clock, their times are "
+                 "wrong, and so is the phase between the channels."))
 ROW(pieces_untimed, warning,
     Sentence::tr("The %1 pieces do not tell when they begin: they are taken to follow each other "
                  "without a gap."))
@@ -64,6 +68,11 @@ ROW(words_passed_over, note,
 ROW(clipped, warning,
     Sentence::tr(
         "Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged."))
+// %1: places; %2: samples.
+ROW(samples_still, warning,
+    Sentence::tr("Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 "
+                 "samples in all, the first at %3 s: lost samples that were filled, or a wave "
+                 "below one bit. Windows over them are flagged."))
 ROW(samples_lost, warning,
     Sentence::tr("Samples lost: %1 at %2 s. Windows over the place are flagged."))
 ROW(samples_doubled, warning,
@@ -177,6 +186,10 @@ ROW(turn_one_way, warning,
         "Gain ratio and non-orthogonality of the channels within their tolerance give a wave that "
         "turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from "
         "the drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}."))
+ROW(angle_jumps, warning,
+    Sentence::tr("The angle of %1 jumps by %2 degrees at %3 s, as where the controller's reference "
+                 "was set anew or a row is false (places: %4). The stretches between the jumps are "
+                 "fitted apart."))
 ROW(angle_of_quarter, warning,
     Sentence::tr("%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of its "
                  "first quarter of a turn."))
@@ -317,5 +330,5 @@ ROW(database_waits, warning,
     Sentence::tr("%1 is in use by another program. The batch waits for it, up to %2 s."))
 // %1: the set that the database keeps.
 ROW(same_recordings, warning,
-    Sentence::tr("%1 and %2 have the same recordings and settings: the database holds one result "
-                 "for both, that of %1."))
+    Sentence::tr("The database holds the result of %1 alone: %2 has the same recordings and "
+                 "settings."))

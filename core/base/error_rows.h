@@ -12,11 +12,10 @@ ROW(file_missing, bad_input,
 ROW(folder_empty, bad_input,
     Sentence::tr("%1: the folder holds no recording. Choose one that does, or a measurement list."))
 ROW(file_permission, bad_input,
-    Sentence::tr("%1: no permission to read this file. Change its permissions or copy it."))
+    Sentence::tr("%1: no permission to read it. Change its permissions or copy it."))
 ROW(file_is_directory, bad_input,
-    Sentence::tr("%1 is a folder, not a recording. Name one file inside it."))
-ROW(file_empty, bad_input,
-    Sentence::tr("%1: the file is empty (0 bytes). Record or copy it again."))
+    Sentence::tr("%1 is a folder, not a file. Name one file inside it."))
+ROW(file_empty, bad_input, Sentence::tr("%1: the file is empty (0 bytes). Save or copy it again."))
 ROW(file_read_failed, bad_input,
     Sentence::tr("%1: reading failed: %2. Check the disk and copy the file again."))
 // %2: program; %3: why.
@@ -24,8 +23,8 @@ ROW(reader_not_started, bad_input,
     Sentence::tr("%1: the program %2, which reads such files, cannot be started: %3. Install Vybeg "
                  "again, with all of its programs."))
 ROW(file_not_regular, bad_input,
-    Sentence::tr("%1 is a pipe or a device, and a recording is read more than once. Save it to a "
-                 "file first, as in cat %1 > run.wav, and name that file."))
+    Sentence::tr("%1 is a pipe or a device, which cannot be read more than once. Save it to a file "
+                 "first, as in cat %1 > FILE, and name that file."))
 ROW(format_unknown, bad_input,
     Sentence::tr("%1: neither an audio file nor a table of numbers. Save the recording as WAV or "
                  "CSV, or give the layout of raw samples {with --raw|under Import}."))
@@ -37,8 +36,8 @@ ROW(format_unsupported, bad_input,
 ROW(format_limit, bad_input,
     Sentence::tr("%1: this %2 file is beyond a limit of this program: %3. %4."))
 ROW(text_not_a_number, bad_input,
-    Sentence::tr("%1, line %2, column %3: \"%4\" is not a number. Correct it, or write nan for a "
-                 "missing sample."))
+    Sentence::tr("%1, line %2, column %3: \"%4\" is not a number. Correct it; a missing sample, "
+                 "but no time, may be written as nan."))
 ROW(text_no_data, bad_input,
     Sentence::tr(
         "%1: no line with two or more numbers. The file needs one column for each pick-off."))
