@@ -78,10 +78,9 @@ Status check_stack() {
         return {};
     }
     const auto kb = [](rlim_t count) { return count_arg(static_cast<std::int64_t>(count)); };
-    return refused_value(
-        words(VYBEG_MESSAGE("Words", "the limit of the stack (ulimit -s)")),
-        words(VYBEG_MESSAGE("Words", "%1 kB"), {kb(stack.rlim_cur >> 10)}),
-        words(VYBEG_MESSAGE("Words", "the program needs %1 kB or more"), {kb(least_kb)}));
+    return refused_value(Phrase::tr("the limit of the stack (ulimit -s)"),
+                         Phrase::tr("%1 kB", {kb(stack.rlim_cur >> 10)}),
+                         Phrase::tr("the program needs %1 kB or more", {kb(least_kb)}));
 }
 
 void end_with_a_sentence() {

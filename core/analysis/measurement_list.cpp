@@ -133,8 +133,7 @@ private:
         for (const std::string& name : list_.other_columns) {
             if (is_formula(name)) {
                 list_.warnings.push_back(
-                    {DiagnosticKind::formula_in_list,
-                     {name, words(VYBEG_MESSAGE("Words", "the name of a column"))}});
+                    {DiagnosticKind::formula_in_list, {name, Phrase::tr("the name of a column")}});
             }
         }
         for (const CsvRow& row : table_.rows) {
@@ -333,10 +332,9 @@ private:
             }
             constexpr double absolute_zero_c = -273.15;
             if (value == &told.temperature_c && *number < absolute_zero_c) {
-                return table_.invalid(
-                    row.line, column,
-                    words(VYBEG_MESSAGE("Words", "\"%1\" lies below absolute zero, -273.15 C"),
-                          {table_.field(row, column)}));
+                return table_.invalid(row.line, column,
+                                      Phrase::tr("\"%1\" lies below absolute zero, -273.15 C",
+                                                 {table_.field(row, column)}));
             }
             *value = text.empty() ? std::nullopt : std::optional(*number);
         }

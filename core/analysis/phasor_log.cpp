@@ -6,6 +6,7 @@
 #include "core/recording/open/log_columns.h"
 #include "core/recording/samples/reader_rules.h"
 #include "core/recording/samples/vocabulary.h"
+#include "core/recording/times/uniform_times.h"
 
 #include <algorithm>
 #include <cmath>

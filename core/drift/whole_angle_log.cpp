@@ -269,8 +269,7 @@ Result<WholeAngleLog> read_whole_angle_log(const std::filesystem::path& path,
     auto table = TRY(read_log(path, options, wishes, job));
     WholeAngleLog log;
     log.name = path.filename().string();
-    auto sha256 = TRY(file_sha256(path, job));
-    log.sha256 = std::move(sha256);
+    log.sha256 = TRY(file_sha256(path, job));
     log.time_s = std::move(table.time_s);
     const auto amplitude = std::ranges::find_if(wishes, [](const ColumnWish& wish) {
         return wish.role.name == std::string_view("amplitude");

@@ -195,8 +195,7 @@ void add_recording_files(std::vector<InputPath>& inputs, const std::filesystem::
     std::vector<std::filesystem::path> files = further_files(open);
     files.push_back(recording);
     for (const std::filesystem::path& file : files) {
-        inputs.push_back(
-            {file.string(), words(VYBEG_MESSAGE("Words", "it is one of the recordings"))});
+        inputs.push_back({file.string(), Phrase::tr("it is one of the recordings")});
     }
 }
 
@@ -462,8 +461,8 @@ Status OutputFile::commit_together(std::span<OutputFile* const> files) {
             }
             return standing.empty()
                        ? placed
-                       : files[k]->failure(words(VYBEG_MESSAGE("Words", "%1 (%2 was written)"),
-                                                 {placed.error().args[0], standing}));
+                       : files[k]->failure(
+                             Phrase::tr("%1 (%2 was written)", {placed.error().args[0], standing}));
         }
         if (files[k]->placed_ == Placed::for_good) {
             standing += (standing.empty() ? "" : ", ") + files[k]->name_;

@@ -62,7 +62,7 @@ public:
         const auto found = json_.find(key);
         const std::string place = place_.empty() ? key : place_ + '.' + key;
         if (found == json_.end()) {
-            throw fault(words(VYBEG_MESSAGE("Words", "%1 is missing"), {place}));
+            throw fault(Phrase::tr("%1 is missing", {place}));
         }
         return {*found, place};
     }
@@ -137,17 +137,17 @@ public:
 
     // `expected`: what has to stand here.
     [[noreturn]] void wrong(const char* expected) const {
-        throw fault(words(VYBEG_MESSAGE("Words", "%1: %2 is expected, and %3 is there"),
-                          {place_, words(expected), found()}));
+        throw fault(
+            Phrase::tr("%1: %2 is expected, and %3 is there", {place_, words(expected), found()}));
     }
 
 private:
     MessageArg found() const {
         if (json_.is_object()) {
-            return words(VYBEG_MESSAGE("Words", "an object"));
+            return Phrase::tr("an object");
         }
         if (json_.is_array()) {
-            return words(VYBEG_MESSAGE("Words", "a list"));
+            return Phrase::tr("a list");
         }
         return short_quote(json_line(json_));
     }
@@ -245,10 +245,10 @@ Passport read_any(const Node& json) {
                     {count_arg(schema.whole_number()), count_arg(Passport::schema)}};
     }
     if (schema.whole_number() < Passport::schema) {
-        throw fault(words(VYBEG_MESSAGE("Words",
-                                        "its schema %1 is that of an early version, which is read "
-                                        "no longer: identify its recordings again"),
-                          {count_arg(schema.whole_number())}));
+        throw fault(
+            Phrase::tr("its schema %1 is that of an early version, which is read no longer: "
+                       "identify its recordings again",
+                       {count_arg(schema.whole_number())}));
     }
     Passport passport;
     passport.program = json.at("program").text();
@@ -318,10 +318,10 @@ auto reading(std::string_view text, const std::string& where, const Read& read)
     try {
         return read(Json::parse(text));
     } catch (const Json::parse_error& parsed) {
-        error = fault(words(VYBEG_MESSAGE("Words", "it is no JSON at byte %1"),
-                            {count_arg(static_cast<std::int64_t>(parsed.byte))}));
+        error = fault(Phrase::tr("it is no JSON at byte %1",
+                                 {count_arg(static_cast<std::int64_t>(parsed.byte))}));
     } catch (const Json::exception&) {
-        error = fault(words(VYBEG_MESSAGE("Words", "it holds a number beyond all ranges")));
+        error = fault(Phrase::tr("it holds a number beyond all ranges"));
     } catch (const Error& thrown) {
         error = thrown;
     }
@@ -397,11 +397,10 @@ std::string passport_json(const Passport& passport) {
 Result<Passport> read_passport(std::string_view text, const std::string& where) {
     return reading(text, where, [](const Json& json) {
         if (json.is_object() && !json.contains("vybeg") && json.contains("modes_by")) {
-            throw fault(words(VYBEG_MESSAGE(
-                "Words", "it is a result of identify; --passport writes the passport")));
+            throw fault(Phrase::tr("it is a result of identify; --passport writes the passport"));
         }
         if (!json.is_object() || json.value("vybeg", Json()) != "passport") {
-            throw fault(words(VYBEG_MESSAGE("Words", "its JSON is not a passport's")));
+            throw fault(Phrase::tr("its JSON is not a passport's"));
         }
         return read_any(Node(json, ""));
     });

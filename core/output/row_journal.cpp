@@ -50,7 +50,7 @@ Result<RowJournal> RowJournal::open(const std::filesystem::path& path, bool resu
         if (flock(journal.descriptor_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             return Error{ErrorCode::output_failed,
                          path.string(),
-                         {words(VYBEG_MESSAGE("Words", "another program is writing it"))}};
+                         {Phrase::tr("another program is writing it")}};
         }
         struct stat status {};
         if (fstat(journal.descriptor_.get(), &status) == 0 && status.st_nlink > 0) {
@@ -66,9 +66,8 @@ Status RowJournal::begin(bool resume) {
     const auto first = TRY(read(0, head.size()));
     // A part of the first line is that of a run that ended while it wrote it.
     if (!head.starts_with(first)) {
-        return Error{ErrorCode::output_failed,
-                     path_.string(),
-                     {words(VYBEG_MESSAGE("Words", "it is another kind of file"))}};
+        return Error{
+            ErrorCode::output_failed, path_.string(), {Phrase::tr("it is another kind of file")}};
     }
     if (first == head) {
         Status found = find_rows();

@@ -201,12 +201,12 @@ Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
             : reinterpret_cast<Hdf5LayoutFunction>(dlsym(loaded, hdf5_layout_function));
     if (make == nullptr) {
         const char* const reason = dlerror();
-        return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 cannot be loaded (%1)"),
-                                  {reason == nullptr ? "" : reason}));
+        return file.failure(
+            Phrase::tr("libhdf5 cannot be loaded (%1)", {reason == nullptr ? "" : reason}));
     }
     Hdf5Layout layout;
     if (!make(program, arrays, layout)) {
-        return file.failure(words(VYBEG_MESSAGE("Words", "libhdf5 reports an error")));
+        return file.failure(Phrase::tr("libhdf5 reports an error"));
     }
     return layout;
 }
@@ -218,11 +218,10 @@ Status write_track_mat(OutputFile& file, const TrackColumns& columns,
                        std::span<const std::string> header) {
     const auto arrays = TRY(arrays_of(columns, header, mat_text_cell, /*one_width=*/false));
     if (std::ranges::any_of(arrays, [](const auto& each) { return each.bytes > most_mat_bytes; })) {
-        return file.failure(words(VYBEG_MESSAGE("Words",
-                                                "a MAT file has room for 4 GiB in each variable, "
-                                                "which %1 windows exceed; HDF5, NPZ and CSV have "
-                                                "room for any number"),
-                                  {count_arg(static_cast<std::int64_t>(columns.rows()))}));
+        return file.failure(
+            Phrase::tr("a MAT file has room for 4 GiB in each variable, which %1 windows exceed; "
+                       "HDF5, NPZ and CSV have room for any number",
+                       {count_arg(static_cast<std::int64_t>(columns.rows()))}));
     }
     TRY(file.write(mat_file_head()));
     for (const TrackArray& array : arrays) {
@@ -416,11 +415,10 @@ std::vector<std::string> track_header(const std::string& program, const Recordin
 Result<TrackFormat> track_format(const std::filesystem::path& target) {
     const std::string ending = file_ending(target);
     if (ending == ".npy") {
-        return Error{ErrorCode::output_failed,
-                     target.string(),
-                     {words(VYBEG_MESSAGE("Words",
-                                          "a NumPy file has room for one array only; let its name "
-                                          "end in .npz"))}};
+        return Error{
+            ErrorCode::output_failed,
+            target.string(),
+            {Phrase::tr("a NumPy file has room for one array only; let its name end in .npz")}};
     }
     TRY(check_ending(target, {"", ".csv", ".txt", ".mat", ".h5", ".hdf5", ".npz"}));
     return ending == ".mat"                       ? TrackFormat::mat

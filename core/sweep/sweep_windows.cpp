@@ -424,8 +424,7 @@ Result<WindowSweep> sweep_windows(const Recording& recording, const Settings& se
     TRY(read_range(prepared, job));
     sweep.rate_hz = rate;
     sweep.f0_hz = prepared.f0_hz;
-    const auto white = TRY(white_noise(prepared, rate, job.silent()));
-    sweep.white_noise = white;
+    sweep.white_noise = TRY(white_noise(prepared, rate, job.silent()));
     const auto waves = TRY(waves_of(prepared, sweep.settings, rate, job));
 
     std::map<std::int64_t, WindowPlan> plans;

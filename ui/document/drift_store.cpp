@@ -23,8 +23,7 @@ Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
         auto log = TRY(read_whole_angle_log(path, settings.open, settings.log, job));
         outcome.logs.push_back(std::move(log));
     }
-    auto drift = TRY(whole_angle_drift(outcome.logs, job, pick_offs(settings.tolerance)));
-    outcome.drift = std::move(drift);
+    outcome.drift = TRY(whole_angle_drift(outcome.logs, job, pick_offs(settings.tolerance)));
     for (WholeAngleLog& log : outcome.logs) {
         log = {std::move(log.name), std::move(log.sha256), {}, {}, {}, {}};
     }

@@ -127,7 +127,7 @@ void readResult(const DatabaseJob& job, std::int64_t id, Done<StoredResult> done
             if (!found) {  // another file has taken its place
                 return Error{ErrorCode::file_read_failed,
                              path.toStdString(),
-                             {words(VYBEG_MESSAGE("Words", "the result is not there any more"))}};
+                             {Phrase::tr("the result is not there any more")}};
             }
             return std::move(*found);
         },

@@ -565,8 +565,7 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     describe(JsonReader(gyro), session.dossier.gyro);
     session.dossier.limits = limitsFromJson(json[limits_key].toObject());
     const QJsonObject drift = json[drift_key].toObject();
-    auto read_drift = TRY(driftFromJson(drift, folder));
-    session.drift = std::move(read_drift);
+    session.drift = TRY(driftFromJson(drift, folder));
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(without(json, fieldsOf(session)),
                               {session_schema_key, program_key, settings_key, tolerance_key,

@@ -191,8 +191,7 @@ Result<Recording> open_npy(std::shared_ptr<const FileBytes> file, const OpenOpti
     FoundSamples found;
     // Of three columns or more, the first may be the time, which is no channel.
     if (array.channels > 2) {
-        auto times = TRY(rate_of_times(array_column(array, bytes, 0), 1, job));
-        found.own_rate = times;
+        found.own_rate = TRY(rate_of_times(array_column(array, bytes, 0), 1, job));
     }
     const int first = found.own_rate ? 1 : 0;  // channel
     const auto channels = static_cast<int>(array.channels) - first;

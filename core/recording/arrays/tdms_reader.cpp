@@ -486,8 +486,7 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
         found.own_rate = SampleRate{*own, RateOrigin::file};
     }
     if (!found.own_rate) {
-        auto of_time = TRY(reader.rate_of_time());
-        found.own_rate = of_time;
+        found.own_rate = TRY(reader.rate_of_time());
     }
     // Checked before the second pass.
     TRY(choose_rate(*file, found.own_rate, options));

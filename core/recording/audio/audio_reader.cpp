@@ -486,9 +486,8 @@ Result<Recording> open_decoded(const std::shared_ptr<const FileBytes>& file,
     found.promised_frames =
         std::max(header.promised_frames.value_or(0), is_open ? 0 : samples.frames);
     found.never_closed = header.never_closed;
-    auto source =
+    found.source =
         TRY(library->source({0, options.channel_c - 1}, {0, options.channel_d - 1}, frames));
-    found.source = std::move(source);
     return complete_recording(*file, std::move(found), options);
 }
 
@@ -500,12 +499,11 @@ Result<Recording> open_audio(std::shared_ptr<const FileBytes> file, const OpenOp
     const auto header = TRY(audio_extent(*file));
     constexpr int most_bits = 32;
     if (header.bits > most_bits && !header.plain) {
-        return file->error(
-            ErrorCode::format_limit,
-            {words(VYBEG_MESSAGE("Words", "audio")),
-             words(VYBEG_MESSAGE("Words", "integers of %1 bits; up to %2, and 64 in WAV, are read"),
-                   {count_arg(header.bits), count_arg(most_bits)}),
-             words(VYBEG_MESSAGE("Words", "Save the recording with 32 bits or as floats"))});
+        return file->error(ErrorCode::format_limit,
+                           {Phrase::tr("audio"),
+                            Phrase::tr("integers of %1 bits; up to %2, and 64 in WAV, are read",
+                                       {count_arg(header.bits), count_arg(most_bits)}),
+                            Phrase::tr("Save the recording with 32 bits or as floats")});
     }
     const std::string container = audio_container(head);
     return header.plain

@@ -119,11 +119,9 @@ Result<std::string> own_file_text(const std::filesystem::path& path) {
     constexpr std::int64_t most_mib = 64;
     const auto file = TRY(FileBytes::open(path));
     if (file->size() > most_mib << 20) {
-        return file->error(
-            ErrorCode::format_limit,
-            {"text",
-             words(VYBEG_MESSAGE("Words", "it has more than %1 MiB"), {count_arg(most_mib)}),
-             words(VYBEG_MESSAGE("Words", "Choose a smaller file"))});
+        return file->error(ErrorCode::format_limit,
+                           {"text", Phrase::tr("it has more than %1 MiB", {count_arg(most_mib)}),
+                            Phrase::tr("Choose a smaller file")});
     }
     return file->text(0, file->size());
 }
@@ -133,7 +131,7 @@ Error too_many_parts(const std::string& where, const std::string& format, const 
     return {ErrorCode::format_limit,
             where,
             {format, words(text, {count_arg(most)}),
-             words(VYBEG_MESSAGE("Words", "Save the recording in a file of its own"))}};
+             Phrase::tr("Save the recording in a file of its own")}};
 }
 
 namespace {
@@ -148,9 +146,8 @@ public:
     Status read(std::int64_t offset, std::span<char> out) const override {
         const auto got = TRY(file_->read(offset_ + offset, out));
         if (got < static_cast<std::int64_t>(out.size())) {
-            return file_->error(
-                ErrorCode::file_read_failed,
-                {words(VYBEG_MESSAGE("Words", "the file became shorter while it was read"))});
+            return file_->error(ErrorCode::file_read_failed,
+                                {Phrase::tr("the file became shorter while it was read")});
         }
         return {};
     }

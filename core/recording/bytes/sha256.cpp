@@ -10,9 +10,8 @@ namespace vybeg {
 namespace {
 
 Error not_available(const std::string& where) {
-    return {ErrorCode::file_read_failed,
-            where,
-            {words(VYBEG_MESSAGE("Words", "SHA-256 is not available in OpenSSL"))}};
+    return {
+        ErrorCode::file_read_failed, where, {Phrase::tr("SHA-256 is not available in OpenSSL")}};
 }
 
 std::string hexadecimal(std::span<const unsigned char> digest) {

@@ -236,7 +236,7 @@ MessageArg list_of(const std::vector<int>& candidates, int sign) {
         }
         list += (list.empty() ? "" : ", ") + integer_text(std::abs(lost));
     }
-    return list.empty() ? words(VYBEG_MESSAGE("Words", "none")) : MessageArg(list);
+    return list.empty() ? Phrase::tr("none") : MessageArg(list);
 }
 
 Diagnostic finding_of(const PhaseStep& step, double rate_hz) {

@@ -385,9 +385,8 @@ private:
         entry.unit = own.unit;
         entry.rate_hz = own.rate_hz ? own.rate_hz : around.rate_hz;
         if (dataset.rank > 2 || own.scaled) {
-            entry.unsupported =
-                own.scaled ? words(VYBEG_MESSAGE("Words", "values for scale_factor and add_offset"))
-                           : dimensions_text(dataset.rank);
+            entry.unsupported = own.scaled ? Phrase::tr("values for scale_factor and add_offset")
+                                           : dimensions_text(dataset.rank);
             return add(std::move(entry), std::move(dataset));
         }
         H5Sget_simple_extent_dims(space.get(), dataset.extent.data(), nullptr);
@@ -408,7 +407,7 @@ private:
         entry.channels = static_cast<std::int64_t>(shorter);
         entry.type = number_type_text(static_cast<int>(8 * bytes), kind == H5T_FLOAT);
         if (!is_number) {
-            entry.unsupported = words(VYBEG_MESSAGE("Words", "complex numbers"));
+            entry.unsupported = Phrase::tr("complex numbers");
         }
         return add(std::move(entry), std::move(dataset));
     }

@@ -204,13 +204,11 @@ MessageArg unsupported_storage(hid_t dataset) {
     const Hdf5Handle creation(H5Dget_create_plist(dataset));
     if (!creation || H5Pget_layout(creation.get()) == H5D_VIRTUAL ||
         H5Pget_external_count(creation.get()) > 0) {
-        return words(VYBEG_MESSAGE("Words", "samples in other files"));
+        return Phrase::tr("samples in other files");
     }
     if (const std::size_t bytes = packed_piece_bytes(dataset); bytes > most_packed_bytes) {
-        return words(VYBEG_MESSAGE("Words",
-                                   "samples packed in pieces of %1 MiB (a limit of this program "
-                                   "is %2 MiB)"),
-                     {count_arg(bytes >> 20), count_arg(most_packed_bytes >> 20)});
+        return Phrase::tr("samples packed in pieces of %1 MiB (a limit of this program is %2 MiB)",
+                          {count_arg(bytes >> 20), count_arg(most_packed_bytes >> 20)});
     }
     const int filters = H5Pget_nfilters(creation.get());
     for (int i = 0; i < filters; ++i) {
@@ -222,10 +220,9 @@ MessageArg unsupported_storage(hid_t dataset) {
                            name.size() - 1, name.data(), nullptr);
         if (number > 0 && H5Zfilter_avail(number) <= 0) {
             return name[0] == '\0'
-                       ? words(VYBEG_MESSAGE("Words", "samples packed by the filter number %1"),
-                               {count_arg(number)})
-                       : words(VYBEG_MESSAGE("Words", "samples packed by the filter %1, number %2"),
-                               {name.data(), count_arg(number)});
+                       ? Phrase::tr("samples packed by the filter number %1", {count_arg(number)})
+                       : Phrase::tr("samples packed by the filter %1, number %2",
+                                    {name.data(), count_arg(number)});
         }
     }
     return {};

@@ -202,11 +202,10 @@ Status count_ticks(const FileBytes& file, const OpenOptions& options, LogTable& 
     constexpr double agreement = 1e-3;
     if (clockbase && options.rate_hz &&
         std::abs(*options.rate_hz * step / *clockbase - 1) > agreement) {
-        return refused_value("--rate", short_text(*options.rate_hz),
-                             words(VYBEG_MESSAGE("Words",
-                                                 "the clockbase in the header beside it makes "
-                                                 "%1 rows a second"),
-                                   {number_arg(*clockbase / step, 7)}));
+        return refused_value(
+            "--rate", short_text(*options.rate_hz),
+            Phrase::tr("the clockbase in the header beside it makes %1 rows a second",
+                       {number_arg(*clockbase / step, 7)}));
     }
     const double tick_s = clockbase ? 1 / *clockbase : 1 / (step * *options.rate_hz);
     table.begun_s = t.front() * tick_s;
@@ -428,16 +427,13 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
             return same_name_as(name, each.name) || is_usual_name(name, each);
         });
         if (role == roles.end()) {
-            return refused_value(
-                "--columns", text,
-                words(VYBEG_MESSAGE("Words",
-                                    "it names %1, with commas between them, each with "
-                                    "=COLUMN where the file calls it otherwise"),
-                      {joined(roles, ", ", &ColumnRole::name)}));
+            return refused_value("--columns", text,
+                                 Phrase::tr("it names %1, with commas between them, each with "
+                                            "=COLUMN where the file calls it otherwise",
+                                            {joined(roles, ", ", &ColumnRole::name)}));
         }
         if (is_wished(role->name)) {
-            return refused_value("--columns", text,
-                                 words(VYBEG_MESSAGE("Words", "%1 is named twice"), {role->name}));
+            return refused_value("--columns", text, Phrase::tr("%1 is named twice", {role->name}));
         }
         wishes.push_back({*role, column, true});
     }
@@ -446,8 +442,7 @@ Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
             continue;
         }
         if (role.needed && !text.empty()) {
-            return refused_value("--columns", text,
-                                 words(VYBEG_MESSAGE("Words", "%1 is missing"), {role.name}));
+            return refused_value("--columns", text, Phrase::tr("%1 is missing", {role.name}));
         }
         wishes.push_back({role, ""});
     }
@@ -458,9 +453,8 @@ Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& 
                           std::span<const ColumnWish> wishes, const JobControl& job) {
     if (!options.join.empty()) {
         return refused_value("--join", options.join.front(),
-                             words(VYBEG_MESSAGE("Words",
-                                                 "logs are not joined: put their rows into one "
-                                                 "file, or read each as a log of its own")));
+                             Phrase::tr("logs are not joined: put their rows into one file, or "
+                                        "read each as a log of its own"));
     }
     const auto packed = TRY(FileBytes::open(path));
     const auto file = TRY(unpacked(packed));
@@ -564,10 +558,9 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
                              told == 1  ? "rad"
                              : told > 1 ? "cyc"
                                         : "deg",
-                             words(VYBEG_MESSAGE("Words",
-                                                 "the heading of column \"%1\" has another unit "
-                                                 "(%2): leave the option out, or correct it"),
-                                   {column.name, column.unit}));
+                             Phrase::tr("the heading of column \"%1\" has another unit (%2): leave "
+                                        "the option out, or correct it",
+                                        {column.name, column.unit}));
     }
     if (told > 0 || unit) {
         return half * (told > 0 ? told : *unit);

@@ -247,7 +247,7 @@ Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions
     auto d = TRY(std::move(opened_d));
     if (is_same_file(path, path_d) && c.channel_c == d.channel_c) {
         return refused_value("--channel-d", options.channel_d_file,
-                             words(VYBEG_MESSAGE("Words", "it is the channel that is read as C")));
+                             Phrase::tr("it is the channel that is read as C"));
     }
     const std::string name_d = d.path.filename().string();
     return pair_channels(std::move(c), std::move(d), name_d);
@@ -271,8 +271,7 @@ Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptio
     bool untimed = false;
     for (const std::string& name : options.join) {
         if (std::ranges::any_of(paths, [&](const auto& one) { return is_same_file(one, name); })) {
-            return refused_value("--join", name,
-                                 words(VYBEG_MESSAGE("Words", "it is a piece already")));
+            return refused_value("--join", name, Phrase::tr("it is a piece already"));
         }
         paths.emplace_back(name);
         auto next = TRY(open_file(name, alone, job));
@@ -290,12 +289,12 @@ Result<Recording> open_pieces(const std::filesystem::path& path, const OpenOptio
         rows += next.frames();
         const double frames = static_cast<double>(end) + gap + static_cast<double>(next.frames());
         if (!is_plausible_grid(frames, static_cast<double>(rows))) {
-            return Error{ErrorCode::format_limit,
-                         next.path.string(),
-                         {english(next.format),
-                          words(VYBEG_MESSAGE("Words", "it begins %1 s after the piece before it"),
-                                {number_arg(*gap_s)}),
-                          words(VYBEG_MESSAGE("Words", "Analyse it as a recording of its own"))}};
+            return Error{
+                ErrorCode::format_limit,
+                next.path.string(),
+                {english(next.format),
+                 Phrase::tr("it begins %1 s after the piece before it", {number_arg(*gap_s)}),
+                 Phrase::tr("Analyse it as a recording of its own")}};
         }
         const auto missing = static_cast<std::int64_t>(gap);
         if (missing > 0) {

@@ -35,8 +35,7 @@ const Bounds any_number{};
 template <class S, class Field, class Read, class Text>
 SettingRow<S> field_row(SettingRow<S> row, Field S::*field, Read read, Text text) {
     row.read = [=, option = row.option()](const std::string& from, S& settings) -> Status {
-        const auto value = TRY(read(option, from));
-        settings.*field = value;
+        settings.*field = TRY(read(option, from));
         return {};
     };
     row.text = [=](const S& settings) -> std::string {
@@ -321,13 +320,13 @@ std::string options_text(const OpenOptions& options) {
 
 Status check_layout(const RawLayout& layout) {
     if (!within(raw_channels_bounds, "--raw-channels", layout.channels)) {
-        return refused_value("--raw-channels", count_arg(layout.channels),
-                             words(VYBEG_MESSAGE("Words", "it must lie between 2 and %1"),
-                                   {count_arg(most_raw_channels)}));
+        return refused_value(
+            "--raw-channels", count_arg(layout.channels),
+            Phrase::tr("it must lie between 2 and %1", {count_arg(most_raw_channels)}));
     }
     if (!within(skip_bounds, "--skip", static_cast<double>(layout.skip_bytes))) {
         return refused_value("--skip", count_arg(layout.skip_bytes),
-                             words(VYBEG_MESSAGE("Words", "it must be 0 to 1e15 bytes")));
+                             Phrase::tr("it must be 0 to 1e15 bytes"));
     }
     return {};
 }
@@ -335,27 +334,25 @@ Status check_layout(const RawLayout& layout) {
 Status check_options(const OpenOptions& options) {
     if (options.rate_hz && !within(rate_bounds, "--rate", *options.rate_hz)) {
         return refused_value("--rate", number_arg(*options.rate_hz),
-                             words(VYBEG_MESSAGE("Words", "it must lie between 1e-6 and 1e12 Hz")));
+                             Phrase::tr("it must lie between 1e-6 and 1e12 Hz"));
     }
     if (options.channel_c == options.channel_d && options.channel_d_file.empty()) {
         const std::string channel = std::to_string(options.channel_c);
         return refused_value("--channels", channel + "," + channel,
-                             words(VYBEG_MESSAGE("Words", "C and D must be two channels")));
+                             Phrase::tr("C and D must be two channels"));
     }
     if (!options.channel_d_file.empty() && !options.join.empty()) {
         return refused_value(
             "--join", joined(options.join, ","),
-            words(VYBEG_MESSAGE("Words",
-                                "it is for files with both channels, not for a file for "
-                                "each channel")));
+            Phrase::tr("it is for files with both channels, not for a file for each channel"));
     }
     if (options.text && options.raw) {
         return refused_value("--raw", options_text({.text = options.text}),
-                             words(VYBEG_MESSAGE("Words", "a file is read as text or as raw")));
+                             Phrase::tr("a file is read as text or as raw"));
     }
     if (!std::isfinite(options.scale) || options.scale == 0) {
         return refused_value("--scale", number_arg(options.scale),
-                             words(VYBEG_MESSAGE("Words", "it must be a number other than 0")));
+                             Phrase::tr("it must be a number other than 0"));
     }
     if (options.raw) {
         return check_layout(*options.raw);

@@ -81,20 +81,18 @@ Error too_few_channels(const FileBytes& file, int found) {
     const auto partner = partner_of(file.path());
     return file.error(ErrorCode::too_few_channels,
                       {count_arg(found), count_arg(channels_needed),
-                       partner ? MessageArg(partner->filename().string())
-                               : words(VYBEG_MESSAGE("Words", "FILE"))});
+                       partner ? MessageArg(partner->filename().string()) : Phrase::tr("FILE")});
 }
 
 Error holds_phasors(const FileBytes& file) {
     return file.error(ErrorCode::holds_log,
-                      {words(VYBEG_MESSAGE("Words", "phasors of a phasemeter or a lock-in")),
+                      {Phrase::tr("phasors of a phasemeter or a lock-in"),
                        "--phasors fixed|common|pll --y-sign +|- --amplitude peak|rms"});
 }
 
 Error holds_waves(const FileBytes& file) {
-    return file.error(
-        ErrorCode::holds_log,
-        {words(VYBEG_MESSAGE("Words", "the wave's a, b and theta")), "--columns a,b,theta"});
+    return file.error(ErrorCode::holds_log,
+                      {Phrase::tr("the wave's a, b and theta"), "--columns a,b,theta"});
 }
 
 Status check_channels(const FileBytes& file, int found, const OpenOptions& options) {

@@ -167,8 +167,7 @@ private:
         const std::string name = container();
         return bytes_.file->error(
             ErrorCode::format_damaged,
-            {name.empty() ? MessageArg(words(VYBEG_MESSAGE("Words", "audio"))) : name,
-             words(text, std::move(args))});
+            {name.empty() ? MessageArg(Phrase::tr("audio")) : name, words(text, std::move(args))});
     }
 
     PatchedBytes bytes_;
@@ -190,8 +189,7 @@ Result<std::unique_ptr<HelperFile>> open_audio_file(std::shared_ptr<const FileBy
     if (audio_container(start).empty() && tag == 0) {
         return Error{ErrorCode::format_damaged,
                      "",
-                     {words(VYBEG_MESSAGE("Words", "audio")),
-                      words(VYBEG_MESSAGE("Words", "its header cannot be understood"))}};
+                     {Phrase::tr("audio"), Phrase::tr("its header cannot be understood")}};
     }
     const auto header = TRY(audio_extent(*file));
     auto audio = std::make_unique<AudioFile>(PatchedBytes{std::move(file), header.patches, tag});

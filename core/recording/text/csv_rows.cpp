@@ -99,8 +99,7 @@ private:
     Result<bool> append_line() {
         const Result<std::optional<std::string_view>> next = lines_.next();
         if (!next && next.error().code == ErrorCode::format_limit) {
-            return table_.invalid(line_ + 1, "1",
-                                  words(VYBEG_MESSAGE("Words", "the line is longer than 1 MiB")));
+            return table_.invalid(line_ + 1, "1", Phrase::tr("the line is longer than 1 MiB"));
         }
         const auto found = TRY(next);
         text_ += found ? to_utf8(*found) : "";
@@ -156,7 +155,7 @@ private:
     Status read_names(const std::string& needed) {
         const auto names = TRY(names_with(needed));
         if (text_.find('\0') != std::string::npos) {
-            return invalid(needed, words(VYBEG_MESSAGE("Words", "the file holds no text")));
+            return invalid(needed, Phrase::tr("the file holds no text"));
         }
         if (!has_name(names.fields, needed)) {
             constexpr std::size_t most_names = 12;  // in a message
@@ -166,14 +165,12 @@ private:
                 (names.fields.size() > most_names ? ", ..." : "");
             return invalid(
                 needed, told.empty()
-                            ? words(VYBEG_MESSAGE("Words", "the list needs this column"))
-                            : words(VYBEG_MESSAGE("Words",
-                                                  "the list needs this column; its columns are %1"),
-                                    {told}));
+                            ? Phrase::tr("the list needs this column")
+                            : Phrase::tr("the list needs this column; its columns are %1", {told}));
         }
         for (const std::string& name : names.fields) {
             if (!name.empty() && std::ranges::count(names.fields, name) > 1) {
-                return invalid(name, words(VYBEG_MESSAGE("Words", "two columns have this name")));
+                return invalid(name, Phrase::tr("two columns have this name"));
             }
         }
         table_.names = names.fields;
@@ -189,12 +186,11 @@ private:
         }
         for (std::size_t k = 0; k < row.fields.size(); ++k) {
             if (row.fields[k].find('\0') != std::string::npos) {
-                return invalid(column(k), words(VYBEG_MESSAGE("Words", "it holds a zero byte")));
+                return invalid(column(k), Phrase::tr("it holds a zero byte"));
             }
             if (!row.fields[k].empty() && (k >= table_.names.size() || table_.names[k].empty())) {
-                return invalid(
-                    column(k),
-                    words(VYBEG_MESSAGE("Words", "\"%1\" stands below no name"), {row.fields[k]}));
+                return invalid(column(k),
+                               Phrase::tr("\"%1\" stands below no name", {row.fields[k]}));
             }
         }
         row.fields.resize(table_.names.size());
@@ -254,8 +250,7 @@ Result<CsvRows> read_csv(const std::filesystem::path& path, const std::string& n
     if (head && (*head == "PK\3\4" || *head == "\xD0\xCF\x11\xE0")) {
         return Error{ErrorCode::list_invalid,
                      path.string(),
-                     {"1", needed,
-                      words(VYBEG_MESSAGE("Words", "it is a workbook; save the sheet as CSV"))}};
+                     {"1", needed, Phrase::tr("it is a workbook; save the sheet as CSV")}};
     }
     return Reader(std::move(file), path.string(), usual).read(needed);
 }

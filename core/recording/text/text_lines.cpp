@@ -37,12 +37,9 @@ std::size_t behind_line_end(std::string_view text, std::size_t end) {
 }
 
 Error line_too_long(const FileBytes& file, const char* format, std::int64_t line) {
-    return file.error(
-        ErrorCode::format_limit,
-        {format, words(VYBEG_MESSAGE("Words", "line %1 is longer than 1 MiB"), {count_arg(line)}),
-         words(VYBEG_MESSAGE("Words",
-                             "Write a line for each time, with one number for each "
-                             "channel"))});
+    return file.error(ErrorCode::format_limit,
+                      {format, Phrase::tr("line %1 is longer than 1 MiB", {count_arg(line)}),
+                       Phrase::tr("Write a line for each time, with one number for each channel")});
 }
 
 // Some thousand rows: little to read for one of them, much for one entry of the index. Even, for

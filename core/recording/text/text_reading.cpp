@@ -197,9 +197,8 @@ std::int64_t block_of(const std::vector<std::int64_t>& first_rows, std::int64_t 
 
 // The file has been found in order when it was opened.
 Error changed(const TextTable& table) {
-    return table.blocks.file().error(
-        ErrorCode::file_read_failed,
-        {words(VYBEG_MESSAGE("Words", "the file was changed while it was read"))});
+    return table.blocks.file().error(ErrorCode::file_read_failed,
+                                     {Phrase::tr("the file was changed while it was read")});
 }
 
 // The rows of a table one after the other.

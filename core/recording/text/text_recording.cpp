@@ -213,9 +213,8 @@ Status check_holds_samples(const FileBytes& file, const TextHead& head, const Te
         return holds_waves(file);
     }
     if (has({"E", "R", "S", "Q"})) {
-        return file.error(
-            ErrorCode::holds_log,
-            {words(VYBEG_MESSAGE("Words", "the powers E, R, S and Q")), "--columns E,R,S,Q"});
+        return file.error(ErrorCode::holds_log,
+                          {Phrase::tr("the powers E, R, S and Q"), "--columns E,R,S,Q"});
     }
     return is_whole_angle(format) ? Status(file.error(ErrorCode::holds_angle)) : Status();
 }

@@ -160,9 +160,9 @@ Result<UniformSamples> to_uniform_grid(const TimedSamples& samples, const std::s
         return Error{ErrorCode::format_limit,
                      where,
                      {"text",
-                      words(VYBEG_MESSAGE("Words", "its %1 times reach over %2 sample periods"),
-                            {count_arg(std::ssize(time)), number_arg(frames)}),
-                      words(VYBEG_MESSAGE("Words", "Cut the recording where its clock jumps"))}};
+                      Phrase::tr("its %1 times reach over %2 sample periods",
+                                 {count_arg(std::ssize(time)), number_arg(frames)}),
+                      Phrase::tr("Cut the recording where its clock jumps")}};
     }
     const UniformTimeDetector judge(time, step, samples.resolution);
     const auto even = judge.judge(samples.resolution);

@@ -32,8 +32,7 @@ public:
         const auto opened = opened_.hold();
         auto& column = (*opened)[{place.variable, place.channel}];
         if (!column.bytes) {
-            auto found = TRY(column_of(array(place), place.channel));
-            column = std::move(found);
+            column = TRY(column_of(array(place), place.channel));
         }
         return read_column(column, first, out);
     }

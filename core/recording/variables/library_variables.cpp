@@ -234,9 +234,8 @@ Error ReaderProcess::failed_reply(const Reply& reply) {
     if (reply.kind == ReplyKind::unconfined) {
         return file_->error(
             ErrorCode::file_read_failed,
-            {words(VYBEG_MESSAGE("Words",
-                                 "this system cannot confine the helper program that reads this "
-                                 "format: it has no list of allowed system calls (seccomp)"))});
+            {Phrase::tr("this system cannot confine the helper program that reads this format: it "
+                        "has no list of allowed system calls (seccomp)")});
     }
     if (reply.kind == ReplyKind::error) {
         const auto bytes = receive_text(reply);
@@ -311,8 +310,7 @@ public:
                 std::span<double> out) const override {
         const auto process = process_.hold();
         if (!*process) {
-            auto started = TRY(ReaderProcess::start(file_, kind_, format_));
-            *process = std::move(started);
+            *process = TRY(ReaderProcess::start(file_, kind_, format_));
         }
         const SampleRequest request{place.variable, place.channel, first,
                                     static_cast<std::int64_t>(out.size())};

@@ -181,7 +181,7 @@ StoredArray stored_matrix(std::string name, std::int64_t rows, std::int64_t colu
     const bool is_float = shown == NumberType::f64 || shown == NumberType::f32;
     variable.type = number_type_text(8 * bytes_of(shown), is_float);
     if (is_complex) {
-        variable.unsupported = words(VYBEG_MESSAGE("Words", "complex numbers"));
+        variable.unsupported = Phrase::tr("complex numbers");
     }
     set_matrix(rows, columns, /*by_columns=*/true, stored.array);
     return stored;

@@ -115,7 +115,7 @@ std::string number_type_text(int bits, bool is_float) {
 }
 
 MessageArg dimensions_text(std::int64_t dimensions) {
-    return words(VYBEG_MESSAGE("Words", "an array of %1 dimensions"), {count_arg(dimensions)});
+    return Phrase::tr("an array of %1 dimensions", {count_arg(dimensions)});
 }
 
 bool fits(const SampleRequest& request, const Catalogue& catalogue) {

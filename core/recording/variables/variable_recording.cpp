@@ -127,14 +127,14 @@ private:
         for (const std::int64_t place : {first, second}) {
             if (variable(place).channels != 1) {
                 return wrong_names(
-                    words(VYBEG_MESSAGE("Words", "%1 has %2 channels and stands alone"),
-                          {variable(place).name, count_arg(variable(place).channels)}));
+                    Phrase::tr("%1 has %2 channels and stands alone",
+                               {variable(place).name, count_arg(variable(place).channels)}));
             }
         }
         if (variable(first).frames != variable(second).frames) {
-            return wrong_names(
-                words(VYBEG_MESSAGE("Words", "they have %1 and %2 samples"),
-                      {count_arg(variable(first).frames), count_arg(variable(second).frames)}));
+            return wrong_names(Phrase::tr(
+                "they have %1 and %2 samples",
+                {count_arg(variable(first).frames), count_arg(variable(second).frames)}));
         }
         choice_.channels = {{first, 0}, {second, 0}};
         return {};

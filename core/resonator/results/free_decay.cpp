@@ -70,7 +70,7 @@ void withdraw(std::size_t recording, ResonatorFit& fit) {
     if (fit.left_out == recording) {
         for (Diagnostic& warning : fit.warnings) {
             if (warning.kind == DiagnosticKind::foreign_recording) {
-                warning.args[1] = words(VYBEG_MESSAGE("Words", "it is no free decay"));
+                warning.args[1] = Phrase::tr("it is no free decay");
             }
         }
         return;
@@ -207,10 +207,8 @@ private:
         const double is_line = law.still_chi2 - law.line_chi2;
         if (rate < -clear * law.per_s_sd && -rate * length_s > least_growth &&
             is_line > most_of_it * (law.still_chi2 - static_cast<double>(law.windows))) {
-            say_driven(k, words(VYBEG_MESSAGE("Words",
-                                              "its amplitude grows, by %1 1/s "
-                                              "(standard deviation %2)"),
-                                {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)}));
+            say_driven(k, Phrase::tr("its amplitude grows, by %1 1/s (standard deviation %2)",
+                                     {number_arg(-rate, 3), number_arg(law.per_s_sd, 2)}));
             return true;
         }
         std::vector<double> others;
@@ -229,10 +227,9 @@ private:
             !(model - rate > std::max(most, clear * law.per_s_sd))) {
             return false;
         }
-        say_driven(k, words(VYBEG_MESSAGE("Words",
-                                          "its amplitude is held (decay rate %1 1/s), while that "
-                                          "of the other recordings decays (%2 1/s)"),
-                            {number_arg(rate, 2), number_arg(usual, 3)}));
+        say_driven(k, Phrase::tr("its amplitude is held (decay rate %1 1/s), while that of the "
+                                 "other recordings decays (%2 1/s)",
+                                 {number_arg(rate, 2), number_arg(usual, 3)}));
         return true;
     }
 
@@ -253,11 +250,9 @@ private:
             withdraw(k, fit_);
             say(DiagnosticKind::no_free_decay,
                 {recording_arg(k),
-                 words(VYBEG_MESSAGE("Words",
-                                     "one of its two motions is held, as by a drive "
-                                     "(decay rate %1 1/s), while the other decays "
-                                     "(%2 1/s)"),
-                       {number_arg(rate, 2), number_arg(usual, 3)})});
+                 Phrase::tr("one of its two motions is held, as by a drive (decay rate %1 1/s), "
+                            "while the other decays (%2 1/s)",
+                            {number_arg(rate, 2), number_arg(usual, 3)})});
         }
     }
 
@@ -313,12 +308,10 @@ private:
         if (std::abs(exponent) > dominates) {
             withdraw(k, fit_);
             say(DiagnosticKind::no_free_decay,
-                {recording_arg(k),
-                 words(VYBEG_MESSAGE("Words",
-                                     "its damping is by %1, the decay rate goes with the "
-                                     "amplitude to the power %2 (standard deviation %3)"),
-                       {friction_words(exponent), number_arg(exponent, 3),
-                        number_arg(law.power_sd, 2)})});
+                {recording_arg(k), Phrase::tr("its damping is by %1, the decay rate goes with the "
+                                              "amplitude to the power %2 (standard deviation %3)",
+                                              {friction_words(exponent), number_arg(exponent, 3),
+                                               number_arg(law.power_sd, 2)})});
         } else if (fit_.left_out != k && !warns_of(fit_, {DiagnosticKind::misfit_damping})) {
             say(DiagnosticKind::misfit_damping,
                 {friction_words(exponent), number_arg(100 * std::abs(exponent), 2)});
@@ -501,7 +494,7 @@ Result<ResonatorFit> fit_one_projection(std::span<const PhasorRun> runs) {
         if (!sum) {
             return Error{ErrorCode::fit_failed,
                          "recording " + std::to_string(k + 1),
-                         {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
+                         {Phrase::tr("there is no wave")}};
         }
         for (std::size_t mode = 0; mode < f_hz.size(); ++mode) {
             constexpr double turn = 2 * std::numbers::pi;

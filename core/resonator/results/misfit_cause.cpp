@@ -276,24 +276,21 @@ Line nearest_line(const SolvedSet& set, const Posterior& at, const JobControl& j
 // `near`: closer to the wave than a filter separates.
 std::vector<MessageArg> line_args(const Line& line, int digits, bool near) {
     return {number_arg(line.f_hz, digits), number_arg(line.per_cent, 2),
-            near ? words(VYBEG_MESSAGE("Words",
-                                       "so close to the carrier the gain or the phase of a channel "
-                                       "that settles or follows the amplitude, or another mode"))
-                 : words(VYBEG_MESSAGE("Words", "another mode, or a disturbance that folds there")),
-            near ? words(VYBEG_MESSAGE("Words",
-                                       "does not remove it: record after the channels have "
-                                       "settled, or with a smaller amplitude"))
-                 : words(VYBEG_MESSAGE("Words", "removes it"))};
+            near ? Phrase::tr("so close to the carrier the gain or the phase of a channel that "
+                              "settles or follows the amplitude, or another mode")
+                 : Phrase::tr("another mode, or a disturbance that folds there"),
+            near ? Phrase::tr("does not remove it: record after the channels have settled, or with "
+                              "a smaller amplitude")
+                 : Phrase::tr("removes it")};
 }
 
 }  // namespace
 
 MessageArg friction_words(double exponent) {
     if (exponent < 0) {
-        return words(VYBEG_MESSAGE("Words", "dry friction"));
+        return Phrase::tr("dry friction");
     }
-    return exponent < 1.5 ? words(VYBEG_MESSAGE("Words", "the friction of air"))
-                          : words(VYBEG_MESSAGE("Words", "the squared amplitude"));
+    return exponent < 1.5 ? Phrase::tr("the friction of air") : Phrase::tr("the squared amplitude");
 }
 
 std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,

@@ -233,9 +233,7 @@ Result<PowerFit> fit_powers(std::span<const PowerRun> powers, const FitOptions& 
     }
     MapFit fit = minimise(problem, p, power_steps, job);
     if (!std::isfinite(fit.cost)) {
-        return Error{ErrorCode::fit_failed,
-                     "the recordings",
-                     {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
+        return Error{ErrorCode::fit_failed, "the recordings", {Phrase::tr("there is no wave")}};
     }
     SetExamination examination = examine_set(problem, fit, options.spread, job);
     if (examination.verdict == SetVerdict::spread) {

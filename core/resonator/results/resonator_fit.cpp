@@ -202,9 +202,8 @@ Diagnostic break_finding(const FittedBreak& found) {
             return {DiagnosticKind::fitted_gain_step,
                     {recording, number_arg(100 * found.size[0], 2),
                      number_arg(100 * found.size[1], 2), at,
-                     drive ? words(VYBEG_MESSAGE("Words",
-                                                 "a drive ends or an amplifier changes its range"))
-                           : words(VYBEG_MESSAGE("Words", "an amplifier changes its range"))}};
+                     drive ? Phrase::tr("a drive ends or an amplifier changes its range")
+                           : Phrase::tr("an amplifier changes its range")}};
         }
         case BreakKind::start:
             return {DiagnosticKind::fitted_knock,
@@ -292,9 +291,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     }
     const double scale = largest_amplitude(good);
     if (good.empty() || scale <= 0) {
-        return Error{ErrorCode::fit_failed,
-                     "the recordings",
-                     {words(VYBEG_MESSAGE("Words", "there is no wave"))}};
+        return Error{ErrorCode::fit_failed, "the recordings", {Phrase::tr("there is no wave")}};
     }
     const FitOptions usual = with_assumed(stated);
     std::unique_ptr<SetFit> set = solved_set(good, {scale, stated, job});

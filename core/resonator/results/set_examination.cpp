@@ -108,12 +108,11 @@ std::array<std::pair<const char*, ScaledRun>, 2> with_other_channels(const Scale
 // Words for a run whose decay rate is not that of the others.
 MessageArg decay_words(const MessageArg& run, double its, double theirs) {
     if (!(its > 0.1 * theirs)) {
-        return words(
-            VYBEG_MESSAGE("Words", "%1 hardly decays, the decay time of the others is %2 s"),
-            {run, number_arg(1 / theirs, 3)});
+        return Phrase::tr("%1 hardly decays, the decay time of the others is %2 s",
+                          {run, number_arg(1 / theirs, 3)});
     }
-    return words(VYBEG_MESSAGE("Words", "the decay time of %1 is %2 s, that of the others %3 s"),
-                 {run, number_arg(1 / its, 4), number_arg(1 / theirs, 4)});
+    return Phrase::tr("the decay time of %1 is %2 s, that of the others %3 s",
+                      {run, number_arg(1 / its, 4), number_arg(1 / theirs, 4)});
 }
 
 class Examination {
@@ -355,7 +354,7 @@ private:
         const double enough = std::min(brought_back, plain - margin);
         double best = enough;
         const MessageArg name = recording_arg(k);
-        out.cause = words(VYBEG_MESSAGE("Words", "more than one number of %1 differs"), {name});
+        out.cause = Phrase::tr("more than one number of %1 differs", {name});
         const auto consider = [&](double beyond, MessageArg cause) {
             if (beyond < best) {
                 best = beyond;
@@ -376,16 +375,13 @@ private:
         const Prediction split = predicted(k, run, own, {split_cos_at, split_sin_at});
         const Prediction turn = predicted(k, run, own, {rotation_at});
         best = brought_back;
-        consider(
-            kappa.beyond,
-            words(VYBEG_MESSAGE("Words", "the gain ratio of %1 is %2 times that of the others"),
-                  {name, number_arg(kappa.p[kappa_at] / others[kappa_at], 4)}));
+        consider(kappa.beyond,
+                 Phrase::tr("the gain ratio of %1 is %2 times that of the others",
+                            {name, number_arg(kappa.p[kappa_at] / others[kappa_at], 4)}));
         consider(decay.beyond, decay_words(name, decay.p[decay_at], others[decay_at]));
         consider(split.beyond,
-                 words(VYBEG_MESSAGE("Words", "the split or the stiffness axis of %1 is another"),
-                       {name}));
-        consider(turn.beyond,
-                 words(VYBEG_MESSAGE("Words", "the wave of %1 turns at another rate"), {name}));
+                 Phrase::tr("the split or the stiffness axis of %1 is another", {name}));
+        consider(turn.beyond, Phrase::tr("the wave of %1 turns at another rate", {name}));
     }
 
     const FitProblem& problem_;

@@ -86,11 +86,10 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
         }
         const bool residual = verdict.free_over_structured >= most_rise;
         double most = verdict.penalty;
-        verdict.reason =
-            words(VYBEG_MESSAGE("Words", "chi^2 + %1"), {number_arg(verdict.penalty, 3)});
+        verdict.reason = Phrase::tr("chi^2 + %1", {number_arg(verdict.penalty, 3)});
         if (residual) {
-            verdict.reason = words(VYBEG_MESSAGE("Words", "chi^2 of the free model - %1"),
-                                   {number_arg(verdict.free_over_structured, 3)});
+            verdict.reason = Phrase::tr("chi^2 of the free model - %1",
+                                        {number_arg(verdict.free_over_structured, 3)});
         }
         for (const Term& term : terms) {
             const double value = fit.p[term.parameter];
