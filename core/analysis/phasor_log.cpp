@@ -486,6 +486,16 @@ Result<PhasorLog> read_phasor_log(const LogFile& file) {
     }
     const LockIn& filter = how.filter;
     const double step_s = step_of(rows);
+    constexpr double always = 1e5;  // rows
+    const double reach = (rows.time_s.back() - rows.time_s.front()) / step_s;
+    if (!is_plausible_grid(reach, static_cast<double>(rows.time_s.size()), always)) {
+        return Error{ErrorCode::format_limit,
+                     file.path.string(),
+                     {"table",
+                      Phrase::tr("its %1 times reach over %2 sample periods",
+                                 {count_arg(std::ssize(rows.time_s)), number_arg(reach)}),
+                      Phrase::tr("Cut the recording where its clock jumps")}};
+    }
     const double told_hz = rows.f_ref_hz;
     for (double& t : rows.time_s) {
         t -= filter.delay_s();

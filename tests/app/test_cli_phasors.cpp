@@ -432,6 +432,17 @@ private slots:
         }
     }
 
+    // One time far behind the others: the memory was said to be too small.
+    void a_log_whose_clock_jumps_is_refused() {
+        QList<QByteArray> rows = log_of_run(0, {4, 30, 150}, Frame::fixed).split('\n');
+        QByteArray& last = rows[rows.size() - 2];
+        last = "1e9" + last.mid(last.indexOf(','));
+        write("jumps.csv", rows.join('\n'));
+        const Outcome refused = identify_fixed({"jumps.csv"}, {});
+        QCOMPARE(refused.status, 3);
+        QVERIFY2(refused.err.contains("Cut the recording where its clock jumps"), refused.err);
+    }
+
     // 0.15 phasors a second of a split of 0.05 Hz.
     void phasors_that_fold_are_refused() {
         QByteArray log = "t,Xc,Yc,Xd,Yd\n";
