@@ -78,7 +78,7 @@ std::string sensitivities_text(const ResonatorFit& fit) {
         if (!estimate.given()) {
             return;
         }
-        const bool angle = parameter.period > 0;
+        const bool angle = std::string_view(parameter.unit) == "rad";
         const std::string unit = angle ? "deg" : parameter.unit;
         row += label_of(parameter.name) + (unit.empty() ? "" : ", " + unit);
         row.resize(std::max<std::size_t>(row.size() + 1, 38), ' ');
@@ -219,7 +219,7 @@ std::string identify_text(const SetResult& result) {
         text += "resonator, structured model\n";
         for (const ResonatorParameter& parameter : resonator_parameters) {
             const Estimate& estimate = fit.resonator.*parameter.member;
-            text += line(label_of(parameter.name), parameter.period > 0
+            text += line(label_of(parameter.name), std::string_view(parameter.unit) == "rad"
                                                        ? text_in_degrees(estimate)
                                                        : text_of(estimate, parameter.unit));
         }

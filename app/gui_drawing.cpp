@@ -189,7 +189,8 @@ Status add_recording(const Recording& recording, const Settings& settings, const
     ui::ReportRecording told = ui::reportRecording(recording, {});
     told.check = std::move(faults.findings);
     const std::size_t index = content.recordings.size();
-    const TrackSummary means = analysis.means;
+    const TrackSummary means =
+        summarise(analysis.track, analysis.plan.independent(), analysis.f_correlation);
     std::vector<Event> events = find_events(analysis.track);
     content.analyses.push_back(
         {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,

@@ -56,7 +56,11 @@ void TrackSummariser::take(const Track& rows) {
         if (is_sound_window(flags[k])) {
             take_frequency(rows.time_s()[k], f[k], sd[k], rows.leakage_f_hz()[k]);
         } else if (has(flags[k], Flag::at_bound) && !has(flags[k], Flag::gap)) {
-            (f[k] < mean_ ? below_ : above_).take(f[k]);
+            if (count_ == 0) {
+                at_bound_.push_back(f[k]);
+            } else {
+                (f[k] < mean_ ? below_ : above_).take(f[k]);
+            }
         }
     }
 }
@@ -185,9 +189,13 @@ TrackSummary TrackSummariser::summary() const {
             variance += beyond / weights;
         }
     }
-    const double hidden = (below_.count * summary.mean_f_hz - below_.sum + above_.sum -
-                           above_.count * summary.mean_f_hz) /
-                          (count_ + below_.count + above_.count);
+    double distances = below_.count * summary.mean_f_hz - below_.sum + above_.sum -
+                       above_.count * summary.mean_f_hz;
+    for (const double f : at_bound_) {
+        distances += std::abs(f - summary.mean_f_hz);
+    }
+    const double hidden =
+        distances / (count_ + below_.count + above_.count + static_cast<double>(at_bound_.size()));
     summary.scatter_f_hz = std::sqrt(variance);
     summary.sd_mean_f_hz =
         std::sqrt(variance + summary.leakage_f_hz * summary.leakage_f_hz + hidden * hidden);

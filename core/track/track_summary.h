@@ -87,7 +87,8 @@ private:
     double count_ = 0;  // Welford's recurrence over all windows
     double mean_ = 0;
     double spread_ = 0;
-    Sum below_;  // f of windows at the bound on one side
+    std::vector<double> at_bound_;  // f of windows at the bound before the first sound one
+    Sum below_;                     // of those since then, on one side of the mean
     Sum above_;
     Sum noise_;  // squares
     Sum noise_of_invalid_;

@@ -135,6 +135,12 @@ private slots:
         // The two lie 100 and 110 above: 210/6 of the mean of all.
         VYBEG_CLOSE(summary.sd_mean_f_hz, std::hypot(35, summary.scatter_f_hz), 1e-9);
         VYBEG_LESS(summary.scatter_f_hz, 1);
+        // Also where they come first, on either side: 190/6.
+        Track early = track_of({200, 10, 100, 101, 99, 100}, 1);
+        set(early.flags()[0], Flag::at_bound);
+        set(early.flags()[1], Flag::at_bound);
+        const TrackSummary found = summarise(early, 1);
+        VYBEG_CLOSE(found.sd_mean_f_hz, std::hypot(190.0 / 6, found.scatter_f_hz), 1e-9);
     }
 
     void pieces_are_summarised_as_the_whole() {
