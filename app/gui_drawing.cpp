@@ -17,6 +17,7 @@
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
 #include "core/track/events.h"
+#include "core/track/track_summary.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
