@@ -137,7 +137,13 @@ private:
             const bool oscillates = phase != nullptr || (frequency != nullptr && moves(*frequency));
             how.frame = oscillates ? PhasorFrame::common : PhasorFrame::fixed;
         }
-        look_.needs_f_ref = frequency == nullptr && how.f_ref_hz == 0;
+        const LogColumn* const held = how.frame == PhasorFrame::pll      ? columns.find(own.front())
+                                      : how.frame == PhasorFrame::common ? phase
+                                                                         : nullptr;
+        const bool deviates = frequency != nullptr && held == nullptr &&
+                              how.frame == PhasorFrame::common && holds_deviations(*frequency, 0);
+        look_.needs_f_ref =
+            how.f_ref_hz == 0 && (frequency == nullptr ? !holds_carrier(held, columns) : deviates);
         if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
             look_.problem = Error{ErrorCode::column_missing,
                                   path_.string(),
@@ -156,6 +162,12 @@ private:
             how.y_sign = how.y_sign == 0 ? 1 : how.y_sign;
             how.peak_per_unit = how.peak_per_unit == 0 ? std::numbers::sqrt2 : how.peak_per_unit;
         }
+    }
+
+    bool holds_carrier(const LogColumn* phase, const LogTable& columns) const {
+        const auto rad =
+            phase ? angle_factor(path_, *phase, look_.choice.rad_per_angle_unit) : Result(0.0);
+        return rad && *rad > 0 && carrier_in(*rad, *phase, columns.time_s) > 0;
     }
 
     bool is_of_labone(const LogTable& columns) const {

@@ -24,7 +24,7 @@ struct LogLook {
     std::optional<Error> problem;  // why it cannot be read as `choice` says
 };
 
-// Looks at a file by the columns that the readers of logs know (phasor_log.h, power_log.h). What it
+// Looks at a file by the columns that the readers of logs know (logs.h). What it
 // is and in which frame follows from the columns that are there: phases of both channels, or the
 // frequency or phase of an oscillator, which is fixed where its frequency does not move. The sign
 // of Y and peak or rms follow from no data; those of LabOne are the ones of its manual (X + iY

@@ -66,6 +66,11 @@ Error wrong_choice(const PhasorChoice& choice, MessageArg why) {
     return refused_value("--phasors", frame_name(choice.frame), std::move(why));
 }
 
+// Whether a frequency is about that of the carrier, as an oscillator's is.
+bool is_near(double hz, double carrier_hz) {
+    return carrier_hz > 0 && std::abs(hz / carrier_hz - 1) < 0.05;
+}
+
 // One channel: X + iY, in the frame of each channel's own phase turned by that.
 struct Channel {
     const LogFile& file;
@@ -89,28 +94,13 @@ bool repeats_phase(const Channel& channel, double rad) {
     return 10 * own > 9 * phase.size() && 2 * turned > phase.size();
 }
 
-// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: what
-// it holds of the carrier; 0 of any other phase. Errors: those of angle_factor(); setting_invalid
-// where it is that of the reference as well.
-Result<double> carrier_in(const LogFile& file, const LogColumn& phase,
+// What the phase holds of the carrier, Hz (carrier_in()). Errors: those of angle_factor();
+// setting_invalid where it is that of the reference as well.
+Result<double> carrier_of(const LogFile& file, const LogColumn& phase,
                           const std::vector<double>& time_s) {
     const double rad = TRY(rad_per_unit(file, phase));
-    std::vector<double> rates;
-    std::size_t fast = 0;
-    for (std::size_t k = 1; k < time_s.size(); ++k) {
-        const double turns = rad * (phase.values[k] - phase.values[k - 1]) / (2 * pi);
-        if (std::isfinite(turns)) {
-            rates.push_back(turns / (time_s[k] - time_s[k - 1]));
-            fast += std::abs(turns) > 0.5 ? 1U : 0U;
-        }
-    }
-    if (10 * fast <= 9 * rates.size()) {
-        return 0;
-    }
-    const double carrier_hz = median(std::move(rates));
-    const double f_ref_hz = file.choice.phasors.f_ref_hz;
-    constexpr double near = 0.05;  // the oscillator is nearer to the wave
-    if (f_ref_hz > 0 && std::abs(carrier_hz / f_ref_hz - 1) < near) {
+    const double carrier_hz = carrier_in(rad, phase, time_s);
+    if (is_near(carrier_hz, file.choice.phasors.f_ref_hz)) {
         return wrong_choice(
             file.choice.phasors,
             Phrase::tr("the phase in column %1 goes on by the whole carrier, %2: it is relative to "
@@ -234,6 +224,14 @@ bool is_another(double hz, double other_hz) {
     return std::abs(hz - other_hz) > five_digits * other_hz;
 }
 
+Error another_reference(const PhasorChoice& how, const LogColumn& frequency) {
+    return wrong_choice(
+        how, Phrase::tr("column %1 says that the reference is %2, and --f-ref that it is %3: leave "
+                        "--f-ref out, or correct it",
+                        {frequency.name, number_arg(median(frequency.values), 10, "Hz"),
+                         number_arg(how.f_ref_hz, 10, "Hz")}));
+}
+
 // Channels whose references differ have a phase to each other that nothing tells.
 Status check_references(const PhasorChoice& how, const LogColumn* of_c, const LogColumn* of_d) {
     if (how.frame == PhasorFrame::common || of_c == nullptr || of_d == nullptr ||
@@ -266,11 +264,7 @@ Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* p
     }
     if (how.frame == PhasorFrame::fixed && frequency != nullptr && how.f_ref_hz > 0 &&
         is_another(median(frequency->values), how.f_ref_hz)) {
-        return wrong_choice(
-            how, Phrase::tr("column %1 says that the reference is %2, and --f-ref that it is %3: "
-                            "leave --f-ref out, or correct it",
-                            {frequency->name, number_arg(median(frequency->values), 10, "Hz"),
-                             number_arg(how.f_ref_hz, 10, "Hz")}));
+        return another_reference(how, *frequency);
     }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
         return wrong_choice(how, Phrase::tr("it needs the column of the oscillator's frequency or "
@@ -278,25 +272,31 @@ Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* p
     }
     if (how.frame == PhasorFrame::common && phase != nullptr) {
         const double rad = TRY(rad_per_unit(file, *phase));
-        carrier_hz = TRY(carrier_in(file, *phase, rows.time_s));
+        carrier_hz = TRY(carrier_of(file, *phase, rows.time_s));
         for (std::size_t k = 0; k < rows.time_s.size(); ++k) {
             rows.turn.push_back(turn_by(rad, *phase, k, carrier_hz, rows.time_s));
         }
-        if (frequency != nullptr && rows.f_ref_hz + carrier_hz == 0) {
-            rows.f_ref_hz = frequency_behind(rad, *phase, *frequency, rows);
+        if (frequency != nullptr && rows.f_ref_hz == 0) {
+            const double mean_hz = median(frequency->values);
+            rows.f_ref_hz = carrier_hz == 0 ? frequency_behind(rad, *phase, *frequency, rows)
+                            : is_near(carrier_hz, mean_hz) ? 0
+                                                           : mean_hz - carrier_hz;
         }
     } else if (frequency != nullptr && how.frame == PhasorFrame::common) {
         const double mean_hz = TRY(turn_of_frequency(how, *frequency, rows));
-        // An oscillator of less than half the rows' rate is none: these are deviations.
-        const bool deviates = std::abs(mean_hz) < 0.5 / step_of(rows);
-        if (deviates && !(how.f_ref_hz > 0)) {
+        const bool deviates = holds_deviations(*frequency, how.f_ref_hz);
+        if (deviates && how.f_ref_hz == 0) {
             return wrong_choice(how, Phrase::tr("column %1 holds deviations of a frequency: give "
                                                 "the frequency by --f-ref",
                                                 {frequency->name}));
         }
+        if (!deviates && how.f_ref_hz > 0 && !is_near(mean_hz, how.f_ref_hz)) {
+            return another_reference(how, *frequency);
+        }
         rows.f_ref_hz = mean_hz + (deviates ? how.f_ref_hz : 0);
     } else if (frequency != nullptr && rows.f_ref_hz == 0) {
-        rows.f_ref_hz = median(frequency->values);
+        const double mean_hz = median(frequency->values);
+        rows.f_ref_hz = is_near(carrier_hz, mean_hz) ? 0 : mean_hz;
     }
     if (!rows.turn.empty()) {
         turn_rows(rows, [&](std::size_t k) { return rows.turn[k]; });
@@ -359,7 +359,7 @@ Result<LogRows> read_rows(const LogFile& file) {
     LogRows rows;
     rows.time_s.assign(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(count));
     const double carrier_hz =
-        TRY(frame == PhasorFrame::pll && c.phase != nullptr ? carrier_in(file, *c.phase, t)
+        TRY(frame == PhasorFrame::pll && c.phase != nullptr ? carrier_of(file, *c.phase, t)
                                                             : Result<double>(0));
     rows.c = TRY(phasors_of(c, t, carrier_hz));
     std::vector<double> by_times_of_c = t_of_d;
@@ -449,6 +449,27 @@ PhasorRun windows_of_rows(const LogRows& rows, std::size_t count, double step_s)
 }
 
 }  // namespace
+
+double carrier_in(double rad, const LogColumn& phase, const std::vector<double>& time_s) {
+    std::vector<double> rates;
+    std::size_t fast = 0;
+    for (std::size_t k = 1; k < time_s.size(); ++k) {
+        const double turns = rad * (phase.values[k] - phase.values[k - 1]) / (2 * pi);
+        if (std::isfinite(turns)) {
+            rates.push_back(turns / (time_s[k] - time_s[k - 1]));
+            fast += std::abs(turns) > 0.5 ? 1U : 0U;
+        }
+    }
+    return 10 * fast > 9 * rates.size() ? median(std::move(rates)) : 0;
+}
+
+bool holds_deviations(const LogColumn& frequency, double f_ref_hz) {
+    constexpr double least_hz = 10;  // of a resonator
+    constexpr double small = 0.05;
+    const double mean_hz = std::abs(median(frequency.values));
+    return f_ref_hz > 0 ? mean_hz < small * f_ref_hz
+                        : mean_hz < least_hz || range_of(frequency).first <= 0;
+}
 
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame) {
     const bool own = frame == PhasorFrame::pll;

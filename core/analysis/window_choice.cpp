@@ -71,30 +71,38 @@ Result<Spectrum> spectrum_of(const ConditionedRecording& prepared, std::size_t s
     std::vector<double> c(size);
     std::vector<double> d(size);
     std::vector<std::complex<double>> data(size);
-    for (std::int64_t s = 0; s < segments; ++s) {
-        TRY(job.go_on());
-        TRY(prepared.ahead->read(first + s * step, c, d));
-        bool whole = !stand_still(c, d, least_still_frames(prepared.f0_hz, rate_hz));
-        for (std::size_t j = 0; j < size; ++j) {
-            whole = whole && std::isfinite(c[j]) && std::isfinite(d[j]);
-            data[j] = {weights[j] * c[j], weights[j] * d[j]};
+    const std::int64_t least_still = least_still_frames(prepared.f0_hz, rate_hz);
+    const auto add_segments = [&](bool with_still) -> Status {
+        for (std::int64_t s = 0; s < segments; ++s) {
+            TRY(job.go_on());
+            TRY(prepared.ahead->read(first + s * step, c, d));
+            bool whole = with_still || !stand_still(c, d, least_still);
+            for (std::size_t j = 0; j < size; ++j) {
+                whole = whole && std::isfinite(c[j]) && std::isfinite(d[j]);
+                data[j] = {weights[j] * c[j], weights[j] * d[j]};
+            }
+            if (!whole) {
+                continue;
+            }
+            transform.forward(data);
+            auto& [of_c, of_d] = spectrum.segments.emplace_back();
+            of_c.resize(bins);
+            of_d.resize(bins);
+            for (std::size_t k = 0; k < bins; ++k) {
+                const std::size_t bin = static_cast<std::size_t>(spectrum.first) + k;
+                // The transform of C + iD.
+                const std::complex<double> above = data[bin];
+                const std::complex<double> below = std::conj(data[size - bin]);
+                of_c[k] = 0.25 * std::norm(above + below) / squares;
+                of_d[k] = 0.25 * std::norm(above - below) / squares;
+                spectrum.mean[k] += (of_c[k] + of_d[k]) / 2;
+            }
         }
-        if (!whole) {
-            continue;
-        }
-        transform.forward(data);
-        auto& [of_c, of_d] = spectrum.segments.emplace_back();
-        of_c.resize(bins);
-        of_d.resize(bins);
-        for (std::size_t k = 0; k < bins; ++k) {
-            const std::size_t bin = static_cast<std::size_t>(spectrum.first) + k;
-            // The transform of C + iD.
-            const std::complex<double> above = data[bin];
-            const std::complex<double> below = std::conj(data[size - bin]);
-            of_c[k] = 0.25 * std::norm(above + below) / squares;
-            of_d[k] = 0.25 * std::norm(above - below) / squares;
-            spectrum.mean[k] += (of_c[k] + of_d[k]) / 2;
-        }
+        return {};
+    };
+    TRY(add_segments(false));
+    if (spectrum.segments.empty()) {  // samples were filled everywhere
+        TRY(add_segments(true));
     }
     for (double& power : spectrum.mean) {
         power /= static_cast<double>(std::max<std::size_t>(spectrum.segments.size(), 1));

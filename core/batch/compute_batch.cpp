@@ -2,6 +2,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/base/plain_text.h"
 #include "core/base/read_value.h"
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
@@ -90,11 +91,12 @@ struct LimitCounts {
     std::int64_t undecided = 0;
 };
 
-// Rows of sets whose recordings have left a watched folder, in the order of their computation. A
-// row counts no more where its set, or a file of it, has a later one. `columns`: of the table;
-// without those of the list where these were others.
+// Rows of sets whose recordings have left a watched folder, in the order of their computation,
+// whose keys begin as those of this request. A row counts no more where its set, or a file of it,
+// has a later one. `columns`: of the table; without those of the list where these were others.
 std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
-                                           const RowJournal& journal, std::size_t columns) {
+                                           const RowJournal& journal, const std::string& request,
+                                           bool limits, std::size_t columns) {
     std::set<std::string> sets;
     std::set<std::string> files;
     for (const SetTask& task : tasks) {
@@ -104,8 +106,11 @@ std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
         }
     }
     std::vector<std::string> rows;
-    for (auto row = journal.rows().rbegin(); row != journal.rows().rend(); ++row) {
-        BatchRow fields = csv_fields(*row);
+    for (const auto& [key, row] : std::views::reverse(journal.rows())) {
+        if (!key.starts_with(request)) {
+            continue;
+        }
+        BatchRow fields = csv_fields(row);
         bool known = !sets.insert(field_of(fields, "set")).second;
         for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
             known = !files.insert(std::string(part.begin(), part.end())).second || known;
@@ -114,7 +119,7 @@ std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
             continue;
         }
         if (fields.size() != columns) {
-            fields.resize(batch_columns().size());
+            fields.resize(batch_columns(limits).size());
             fields.resize(columns);
         }
         rows.push_back(csv_row(fields));
@@ -125,12 +130,12 @@ std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
 
 Status write_table(OutputFile& output, const BatchRequest& request, const MeasurementList& list,
                    const std::vector<std::string>& header, const std::vector<SetTask>& tasks,
-                   const RowJournal& journal, LimitCounts& counts) {
+                   const RowJournal& journal, const std::string& request_key, LimitCounts& counts) {
     const bool limits = !request.limits.empty();
     const std::string head = batch_head(header, list.other_columns, limits);
     std::vector<std::string> rows;
     if (request.watch) {
-        rows = rows_of_left_sets(tasks, journal,
+        rows = rows_of_left_sets(tasks, journal, request_key, limits,
                                  batch_columns(limits).size() + list.other_columns.size());
     }
     for (const SetTask& task : tasks) {
@@ -260,6 +265,11 @@ private:
     Status compute(const MeasurementList& list) {
         auto tasks = TRY(tasks_of(request_, list, limits_));
         const auto header = TRY(header_of(request_, job_));
+        if (request_.watch) {
+            const std::string columns = joined(batch_columns(!request_.limits.empty()), ",");
+            const auto hash = TRY(text_sha256(joined(header, "\n") + columns));
+            request_key_ = hash.substr(0, 16) + "-";
+        }
         TRY(check_paths(request_, tasks));
         for (const std::string* folder : {&request_.json, &request_.new_passports}) {
             std::error_code failed;
@@ -289,22 +299,28 @@ private:
                 events_.finished({.set = k, .fields = csv_fields(row), .kept = true});
             }
         }
-        return compute_rows(list, tasks, header, output);
+        TRY(compute_rows(list, tasks, header, output));
+        looked_ = request_.watch;
+        return {};
     }
 
-    // Whether the row of a set is in the journal, and the files of its result are still there.
+    // Whether the row of a set is in the journal, and the files of its result are there: once in a
+    // folder that is watched, where they may be filed away later.
     bool is_kept(const SetTask& task) const {
+        const auto is_there = [](const std::string* file) {
+            std::error_code unknown;
+            return file->empty() || fs::exists(*file, unknown);
+        };
         return journal_->has(task.key) &&
-               (field_of(csv_fields(journal_->row(task.key)), "status") != "ok" ||
-                std::ranges::all_of(
-                    std::array{&task.json, &task.new_passport},
-                    [](const auto* file) { return file->empty() || fs::exists(*file); }));
+               (looked_ || field_of(csv_fields(journal_->row(task.key)), "status") != "ok" ||
+                std::ranges::all_of(std::array{&task.json, &task.new_passport}, is_there));
     }
 
     // Gives each task the key of its row.
     Status set_keys(std::vector<SetTask>& tasks) const {
         for (SetTask& task : tasks) {
-            task.key = TRY(row_key(request_, task, identity_));
+            const auto key = TRY(row_key(request_, task, identity_));
+            task.key = request_key_ + key;
         }
         return {};
     }
@@ -335,12 +351,21 @@ private:
         return {};
     }
 
-    // Under --only the rows of other sets are theirs; of a watched folder, those of sets that left.
+    // Under --only the rows of other sets are theirs; in a watched folder, those of the same
+    // request are of sets that left.
     void tell_other_rows(const std::vector<SetTask>& tasks) {
-        const auto kept = std::ranges::count_if(
-            tasks, [this](const SetTask& task) { return journal_->has(task.key); });
-        const auto others = static_cast<std::int64_t>(journal_->size()) - kept;
-        if (request_.only.empty() && !request_.watch && others > 0) {
+        const auto kept = request_.watch
+                              ? std::ranges::count_if(journal_->rows(),
+                                                      [this](const RowJournal::Row& row) {
+                                                          return row.key.starts_with(request_key_);
+                                                      })
+                              : std::ranges::count_if(tasks, [this](const SetTask& task) {
+                                    return journal_->has(task.key);
+                                });
+        const auto all = request_.watch ? std::ssize(journal_->rows())
+                                        : static_cast<std::ptrdiff_t>(journal_->size());
+        const std::int64_t others = all - kept;
+        if (request_.only.empty() && others > 0) {
             events_.warned(
                 {{DiagnosticKind::other_rows, {journal_of(request_.output), count_arg(others)}}});
         }
@@ -353,7 +378,8 @@ private:
         Status done = work.run();
         LimitCounts counts;
         if (done) {
-            done = write_table(output, request_, list, header, tasks, *journal_, counts);
+            done =
+                write_table(output, request_, list, header, tasks, *journal_, request_key_, counts);
         }
         if (!done) {
             return as_left(done.error(), output, work.done(), std::ssize(tasks));
@@ -583,8 +609,10 @@ private:
     JobControl job_;
     std::vector<TypedLimit> limits_;
     std::optional<ResultsDatabase> database_;
-    std::string identity_;  // of the database
+    std::string identity_;     // of the database
+    std::string request_key_;  // with which the keys of a watched folder's rows begin
     std::optional<RowJournal> journal_;
+    bool looked_ = false;  // at the watched folder, and its rows computed
 };
 
 }  // namespace

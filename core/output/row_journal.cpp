@@ -137,7 +137,7 @@ Status RowJournal::append(const std::string& key, std::string_view row) {
 
 void RowJournal::add(const std::string& key, std::string_view row) {
     places_[key] = rows_.size();
-    rows_.emplace_back(row);
+    rows_.push_back({key, std::string(row)});
 }
 
 Status RowJournal::write(std::string_view bytes) {

@@ -32,10 +32,14 @@ public:
     // Number of rows found that are not taken.
     std::size_t found() const { return found_; }
     std::size_t size() const { return places_.size(); }
+    struct Row {
+        std::string key;
+        std::string text;
+    };
     // All rows, in the order of their lines; of several with one key the last counts.
-    const std::vector<std::string>& rows() const { return rows_; }
+    const std::vector<Row>& rows() const { return rows_; }
     // Precondition: has(key).
-    const std::string& row(const std::string& key) const { return rows_[places_.at(key)]; }
+    const std::string& row(const std::string& key) const { return rows_[places_.at(key)].text; }
     // `row`: one line without its line feed. An error leaves the rows before. Errors:
     // output_failed.
     Status append(const std::string& key, std::string_view row);
@@ -55,7 +59,7 @@ private:
     std::filesystem::path path_;
     Descriptor descriptor_;
     std::int64_t end_ = 0;
-    std::vector<std::string> rows_;
+    std::vector<Row> rows_;
     std::map<std::string, std::size_t> places_;  // in rows_, by key
     std::size_t found_ = 0;
 };

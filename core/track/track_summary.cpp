@@ -12,7 +12,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_blocks = 256;
 constexpr double least_correlations = 2;  // lengths of the correlation in a block
 constexpr std::size_t least_blocks = 20;
-constexpr double significant_scatter = 3;  // standard deviations
+constexpr std::size_t most_at_bound = 1 << 16;  // kept until there is a mean
+constexpr double significant_scatter = 3;       // standard deviations
 
 constexpr Flags harmless = static_cast<Flags>(Flag::no_quadrature);
 
@@ -56,10 +57,10 @@ void TrackSummariser::take(const Track& rows) {
         if (is_sound_window(flags[k])) {
             take_frequency(rows.time_s()[k], f[k], sd[k], rows.leakage_f_hz()[k]);
         } else if (has(flags[k], Flag::at_bound) && !has(flags[k], Flag::gap)) {
-            if (count_ == 0) {
-                at_bound_.push_back(f[k]);
-            } else {
+            if (count_ > 0) {
                 (f[k] < mean_ ? below_ : above_).take(f[k]);
+            } else if (at_bound_.size() < most_at_bound) {
+                at_bound_.push_back(f[k]);
             }
         }
     }

@@ -277,6 +277,14 @@ private slots:
         QVERIFY(watching.waitForFinished());
         QCOMPARE(watching.readAllStandardOutput().count('\n'), 2);
         QVERIFY(!watching.readAllStandardError().contains("cannot take"));
+        // Rows of other settings are not of this table.
+        watching.start(VYBEG_CLI, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
+                                   "watched.db", "--quiet", "--resume", "--periods", "60"});
+        QVERIFY(watching.waitForStarted());
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("growing.wav last.wav z.wav"), 30000);
+        ::kill(static_cast<pid_t>(watching.processId()), SIGTERM);
+        QVERIFY(watching.waitForFinished());
+        QVERIFY(watching.readAllStandardError().contains("cannot take"));
         QCOMPARE(run("batch --watch none -o x.csv").status, 3);
         QCOMPARE(run("batch --watch inbox -o -").status, 2);
         QCOMPARE(run("batch --watch inbox list.csv -o x.csv").status, 2);

@@ -151,9 +151,10 @@ public:
         if (structured_) {
             Spread spread = spread_of(problem_, joint_.p, noise_, true, job_);
             if (spread.explains) {
-                out.spread = std::move(spread);
+                out.spread.sd = spread.sd;
                 if (!name_turned(out)) {
                     out.verdict = SetVerdict::spread;
+                    out.spread = std::move(spread);
                 }
                 return out;
             }

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -87,6 +88,34 @@ private slots:
         QCOMPARE(seen.choice.phasors.y_sign, 0);
         QCOMPARE(seen.choice.phasors.peak_per_unit, 0.0);
         QVERIFY(!seen.preview.lines.empty());
+    }
+
+    void phases_with_the_whole_carrier_need_no_reference_and_deviations_do() {
+        const auto log = [this](const QByteArray& head, const auto& last) {
+            QByteArray text = head + '\n';
+            for (int k = 0; k < 40; ++k) {
+                text += QByteArray::number(0.01 * k) + ",1,0.5,0.3,0.2";
+                for (const double value : last(k)) {
+                    text += ',' + QByteArray::number(value, 'g', 15);
+                }
+                text += '\n';
+            }
+            QFile file(folder_.filePath("carrier.csv"));
+            if (!file.open(QIODevice::WriteOnly) || file.write(text) < 0) {
+                qFatal("no file");
+            }
+            file.close();
+            return look(file.fileName());
+        };
+        const LogLook own = log("t,Xc,Yc,Xd,Yd,Pc (cyc),Pd (cyc)",
+                                [](int k) { return std::array{53.0 * k, 53.0 * k + 0.2}; });
+        QVERIFY(own.choice.phasors.frame == PhasorFrame::pll && !own.needs_f_ref);
+        const LogLook common =
+            log("t,Xc,Yc,Xd,Yd,P (rad)", [](int k) { return std::array{333.0 * k}; });
+        QVERIFY(common.choice.phasors.frame == PhasorFrame::common && !common.needs_f_ref);
+        const LogLook deviations = log(
+            "t,Xc,Yc,Xd,Yd,F (Hz)", [](int k) { return std::array{0.3 * std::sin(0.3 * k)}; });
+        QVERIFY(deviations.choice.phasors.frame == PhasorFrame::common && deviations.needs_f_ref);
     }
 
     void logs_without_a_phase() {
