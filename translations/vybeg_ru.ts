@@ -4399,10 +4399,6 @@
         <translation>в столбце %1 отклонения частоты: задайте частоту параметром --f-ref</translation>
     </message>
     <message>
-        <source>the heading of column &quot;%1&quot; has another unit (%2): leave the option out, or correct it</source>
-        <translation>в заголовке столбца «%1» другая единица (%2): не задавайте параметр или исправьте его</translation>
-    </message>
-    <message>
         <source>the line is longer than 1 MiB</source>
         <translation>строка длиннее 1 МиБ</translation>
     </message>

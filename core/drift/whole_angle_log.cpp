@@ -166,8 +166,17 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
     const auto high =
         sizes.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(sizes.size()));
     std::ranges::nth_element(sizes, high);
-    const double limit =
-        std::max(beyond_most * *high, deviations * normal * median(std::vector(sizes)));
+    // Of an angle of few digits one digit is no jump.
+    constexpr double rounding = 1e-9;
+    double digit = std::numeric_limits<double>::infinity();
+    for (const AngleStretch& stretch : angle.stretches) {
+        for (std::size_t k = 1; k < stretch.theta.size(); ++k) {
+            const double step = std::abs(stretch.theta[k] - stretch.theta[k - 1]);
+            digit = step > rounding ? std::min(digit, step) : digit;
+        }
+    }
+    const double limit = std::max(
+        {beyond_most * *high, 4 * digit, deviations * normal * median(std::vector(sizes))});
     std::vector<AngleStretch> cut;
     std::int64_t jumps = 0;
     for (AngleStretch& stretch : angle.stretches) {

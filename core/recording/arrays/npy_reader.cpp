@@ -154,7 +154,7 @@ std::vector<Channel> moku_headings(const NpyArray& array) {
     constexpr std::int64_t most_inputs = 4;
     const std::int64_t columns = array.channels;
     if (array.offset != header_of_moku || array.type != NumberType::f64 || array.big_endian ||
-        array.fortran_order || !array.interleaved || columns % each != 1 || columns <= each ||
+        array.fortran_order || array.frames < columns || columns % each != 1 || columns <= each ||
         columns > most_inputs * each + 1) {
         return {};
     }

@@ -422,10 +422,9 @@ void FaultCheck::close_still() {
     if (unmoved_.count < least_still_ || least_still_ == 0 || unmoved_.first == opening_) {
         return;
     }
-    if (still_.size() < ClippingCheck::most_places) {
+    still_frames_ += unmoved_.count;
+    if (++still_places_ <= static_cast<std::int64_t>(ClippingCheck::most_places)) {
         still_.push_back(unmoved_);
-    } else {
-        still_.back().count = unmoved_.end() - still_.back().first;
     }
 }
 
@@ -446,16 +445,12 @@ SampleFaults FaultCheck::finish() {
     close_still();
     const auto moves = [](const ClippingCheck& channel) { return channel.levels() > 2; };
     if (!still_.empty() && std::ranges::any_of(clipping_, moves)) {
-        std::int64_t frames = 0;
-        for (const FrameRange& range : still_) {
-            frames += range.count;
-        }
         const std::int64_t first = still_.front().first;
         faults.findings.push_back({DiagnosticKind::samples_still,
-                                   {count_arg(std::ssize(still_)), count_arg(frames),
+                                   {count_arg(still_places_), count_arg(still_frames_),
                                     number_arg(static_cast<double>(first) / rate_hz_, 9)},
                                    first,
-                                   frames});
+                                   still_frames_});
         faults.still = std::move(still_);
     }
     if (steps_) {

@@ -96,6 +96,8 @@ private:
     std::int64_t opening_ = -1;                     // the first frame
     FrameRange unmoved_;  // the frames before the next that are like the last
     std::vector<FrameRange> still_;
+    std::int64_t still_frames_ = 0;  // also of those beyond ClippingCheck::most_places
+    std::int64_t still_places_ = 0;
     std::optional<PhaseStepCheck> steps_;
 };
 

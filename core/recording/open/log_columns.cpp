@@ -553,17 +553,8 @@ Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& 
     const std::string name = normal_name(column.name);
     const double half = name.starts_with("twotheta") || name.starts_with("2theta") ? 0.5 : 1;
     const std::optional<double> unit = angle_unit_of(column);
-    if (told > 0 && unit && std::abs(told / *unit - 1) > 1e-6) {
-        return refused_value("--angle-unit",
-                             told == 1  ? "rad"
-                             : told > 1 ? "cyc"
-                                        : "deg",
-                             Phrase::tr("the heading of column \"%1\" has another unit (%2): leave "
-                                        "the option out, or correct it",
-                                        {column.name, column.unit}));
-    }
     if (told > 0 || unit) {
-        return half * (told > 0 ? told : *unit);
+        return half * unit.value_or(told);
     }
     return Error{ErrorCode::angle_unit_unknown,
                  path.string(),

@@ -85,9 +85,8 @@ void bring_to_unit_of(const LogColumn& other, LogColumn& column);
 // Least and largest value of a column that are not missing; infinity and -infinity where all are.
 std::pair<double, double> range_of(const LogColumn& column);
 
-// Factor from a column of angles to theta_A in rad: by `told` (rad per unit, 0: not told), else by
-// its unit; a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown;
-// setting_invalid where the two differ.
+// Factor from a column of angles to theta_A in rad: by its unit, or else by `told` (rad per unit,
+// 0: not told); a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
                             double told);
 

@@ -98,22 +98,71 @@ std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSo
     });
 }
 
+namespace {
+
+// Delays of the frames, one for each piece of them: pieces do not depend on what is read.
+class Delays {
+public:
+    Delays(double samples, double drift, std::int64_t frames)
+        : samples_(samples), drift_(drift), most_(static_cast<double>(frames)) {
+        // A shift by the whole recording leaves as little of it as any larger one.
+        if (drift == 0) {
+            filters_.emplace_back(std::clamp(samples, -most_, most_));
+            return;
+        }
+        piece_ = std::clamp<std::int64_t>(std::llround(step / std::abs(drift)), 1, frames + 1);
+        for (int k = 0; k <= fractions; ++k) {
+            filters_.emplace_back(static_cast<double>(k) / fractions - 0.5);
+        }
+    }
+
+    struct Delay {
+        const FractionalDelay& fraction;
+        std::int64_t whole;
+
+        std::int64_t before() const {
+            return std::max<std::int64_t>(fraction.reach_before() + whole, 0);
+        }
+        std::int64_t after() const {
+            return std::max<std::int64_t>(fraction.reach_after() - whole, 0);
+        }
+    };
+    Delay at(std::int64_t frame) const {
+        if (drift_ == 0) {
+            return {filters_.front(), 0};
+        }
+        const double middle =
+            static_cast<double>(frame / piece_ * piece_) + static_cast<double>(piece_ - 1) / 2;
+        const double delay = std::clamp(samples_ + drift_ * middle, -most_, most_);
+        const double whole = std::floor(delay + 0.5);
+        const auto place = static_cast<std::size_t>(std::lround((delay - whole + 0.5) * fractions));
+        return {filters_[place], static_cast<std::int64_t>(whole)};
+    }
+    bool move() const { return piece_ > 0; }
+    // The frame behind those of one delay.
+    std::int64_t piece_end(std::int64_t frame) const {
+        return !move() ? std::numeric_limits<std::int64_t>::max() : (frame / piece_ + 1) * piece_;
+    }
+
+private:
+    static constexpr double step = 2e-4;  // samples
+    static constexpr int fractions = 5000;
+
+    double samples_;
+    double drift_;
+    double most_;
+    std::int64_t piece_ = 0;  // frames of one delay; 0: all
+    std::vector<FractionalDelay> filters_;
+};
+
+}  // namespace
+
 std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleSource> source,
                                                    double delay_samples, double drift) {
-    constexpr double step = 2e-4;
     const std::int64_t frames = source->frames();
-    // Frames of one delay, which do not depend on what is read.
-    const std::int64_t piece =
-        drift == 0 ? std::max<std::int64_t>(frames, 1)
-                   : std::clamp<std::int64_t>(std::llround(step / std::abs(drift)), 1, frames + 1);
-    const auto delay_at = [=](std::int64_t frame) {
-        const double middle =
-            static_cast<double>(frame / piece * piece) + static_cast<double>(piece - 1) / 2;
-        // A shift by the whole recording leaves as little of it as any larger one.
-        const auto most = static_cast<double>(frames);
-        return FractionalDelay(std::clamp(delay_samples + drift * middle, -most, most));
-    };
-    const auto read = [=](std::int64_t first, std::span<double> c, std::span<double> d) -> Status {
+    const auto delays = std::make_shared<const Delays>(delay_samples, drift, frames);
+    const auto read = [source, frames, delays](std::int64_t first, std::span<double> c,
+                                               std::span<double> d) -> Status {
         std::ranges::fill(c, missing_sample);
         std::ranges::fill(d, missing_sample);
         const std::int64_t end = first + std::ssize(c);
@@ -121,32 +170,29 @@ std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleS
         std::vector<double> raw_d;
         for (std::int64_t at = first; at < end;) {
             // Blocks bound the memory of a long read, and are never short beside what is read
-            // twice.
-            const FractionalDelay nearly = delay_at(at);
-            const std::int64_t least = nearly.reach_before() + nearly.reach_after();
-            const std::int64_t block_end =
-                std::min(at + std::max<std::int64_t>(1 << 16, least), end);
-            const FractionalDelay last = delay_at(block_end - 1);
-            // A whole delay, which needs no neighbours, may change to one that does.
-            const std::int64_t beside = drift == 0 ? 0 : 64;
-            const std::int64_t from = std::max<std::int64_t>(
-                at - std::max(nearly.reach_before(), last.reach_before()) - beside, 0);
-            const std::int64_t to = std::min(
-                block_end + std::max(nearly.reach_after(), last.reach_after()) + beside, frames);
+            // twice. Within a block the delay changes by less than a filter's length.
+            const std::int64_t beside = delays->move() ? 64 : 0;
+            const Delays::Delay nearly = delays->at(at);
+            const std::int64_t block_end = std::min(
+                at + std::max<std::int64_t>(1 << 16, nearly.before() + nearly.after()), end);
+            const Delays::Delay last = delays->at(block_end - 1);
+            const std::int64_t from =
+                std::max<std::int64_t>(at - std::max(nearly.before(), last.before()) - beside, 0);
+            const std::int64_t to =
+                std::min(block_end + std::max(nearly.after(), last.after()) + beside, frames);
             raw_c.resize(static_cast<std::size_t>(std::max<std::int64_t>(to - from, 0)));
             raw_d.resize(raw_c.size());
             TRY(source->read(from, raw_c, raw_d));
             while (at < block_end) {
-                const FractionalDelay delay = delay_at(at);
-                const std::int64_t piece_end = std::min(at / piece * piece + piece, block_end);
-                const std::int64_t begin = std::max(at, delay.reach_before());
-                const std::int64_t count =
-                    std::min(piece_end, frames - delay.reach_after()) - begin;
+                const Delays::Delay delay = delays->at(at);
+                const std::int64_t piece_end = std::min(delays->piece_end(at), block_end);
+                const std::int64_t begin = std::max(at, delay.before());
+                const std::int64_t count = std::min(piece_end, frames - delay.after()) - begin;
                 if (count > 0) {
                     std::copy_n(raw_c.begin() + (begin - from), count, c.begin() + (begin - first));
-                    delay.apply(raw_d, begin - from,
-                                d.subspan(static_cast<std::size_t>(begin - first),
-                                          static_cast<std::size_t>(count)));
+                    delay.fraction.apply(raw_d, begin - from - delay.whole,
+                                         d.subspan(static_cast<std::size_t>(begin - first),
+                                                   static_cast<std::size_t>(count)));
                 }
                 at = piece_end;
             }

@@ -140,7 +140,7 @@ private:
         // zeros, which only sf_error reveals.
         if (sf_error(handle_) != SF_ERR_NO_ERROR) {
             return failed(VYBEG_MESSAGE("Words", "samples from frame %1 on cannot be decoded"),
-                          first_ + std::max<std::int64_t>(got, 0));
+                          got < frames ? first_ + std::max<std::int64_t>(got, 0) : first_);
         }
         if (got != frames) {
             return failed(VYBEG_MESSAGE("Words", "the samples end at frame %1"),

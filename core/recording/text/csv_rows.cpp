@@ -8,6 +8,7 @@
 #include "core/recording/text/text_lines.h"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -99,7 +100,8 @@ private:
     Result<bool> append_line() {
         const Result<std::optional<std::string_view>> next = lines_.next();
         if (!next && next.error().code == ErrorCode::format_limit) {
-            return table_.invalid(line_ + 1, "1", Phrase::tr("the line is longer than 1 MiB"));
+            return table_.invalid(lines_.number() + 1, "1",
+                                  Phrase::tr("the line is longer than 1 MiB"));
         }
         const auto found = TRY(next);
         text_ += found ? to_utf8(*found) : "";

@@ -382,7 +382,7 @@ RecordingFormat format_of(const TextFormat& format) {
 namespace {
 
 constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
-constexpr std::size_t longest_comment = 4096;             // of it, bytes
+constexpr std::size_t counted_comment = 4096;             // of it, bytes
 constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
 
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
@@ -487,8 +487,9 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
             break;
         }
         // However long a comment is, the rows below it count.
-        head.lines.emplace_back(line->starts_with('#') ? line->substr(0, longest_comment) : *line);
-        bytes += head.lines.back().size() + 1;
+        const bool is_remark = is_comment(*line, ',');
+        bytes += (is_remark ? std::min(line->size(), counted_comment) : line->size()) + 1;
+        head.lines.emplace_back(*line);
     }
     return head;
 }

@@ -20,7 +20,8 @@ public:
     Message() = default;
     explicit Message(std::string_view received) : bytes_(received), reading_(true) {}
 
-    bool ok() const { return ok_; }
+    // Of a received message: taken to its end.
+    bool ok() const { return ok_ && (!reading_ || at_ == bytes_.size()); }
     const std::string& bytes() const { return bytes_; }
 
     template <class... Fields>

@@ -127,6 +127,13 @@ private slots:
                 QCOMPARE(found.warnings[0].args[3], count_arg(row_alone ? 2 : 1));
             }
         }
+        // A digit is none, however rarely it changes.
+        WholeAngleLog coarse;
+        for (int k = 0; k < 6000; ++k) {
+            coarse.time_s.push_back(0.1 * k);
+            coarse.theta.push_back(std::round(0.0012 * 0.1 * k / 0.01) * 0.01 * pi / 180);
+        }
+        QVERIFY(!unwrapped_angle(coarse).jumps);
         // A wave that stands still at the end is none.
         HeldLoop loop = loop_of();
         WholeAngleLog log = simulated_log(loop);
