@@ -118,7 +118,7 @@ private:
     std::vector<double> passed_;  // kept to reuse its memory
 };
 
-constexpr std::int64_t at_once = 16384;                         // frames for the sink
+constexpr std::int64_t at_once = 16384;  // frames for the sink
 
 void clip_and_round(std::vector<double>& samples, double full_scale, int bits) {
     const double steps = std::ldexp(1.0, bits - 1);

@@ -175,8 +175,9 @@ private slots:
         QVERIFY2(!same.err.contains("has the same recordings"), same.err);
         QVERIFY(put(path("slip.csv"), "set,file,gyro\nlast,a.wav,G4\n"));
         const Outcome renamed = run(slip);
-        QVERIFY2(renamed.err.contains("last (gyro G4) alone: last (gyro G3) has the same recordings"),
-                 renamed.err);
+        QVERIFY2(
+            renamed.err.contains("last (gyro G4) alone: last (gyro G3) has the same recordings"),
+            renamed.err);
     }
 
     void four_processes_at_once_lose_nothing() {
@@ -281,7 +282,9 @@ private slots:
         // The files of the command line have their first one as name, and no gyro.
         const Outcome plain = run("identify a.wav b.wav --database results.db");
         VYBEG_EQUAL(plain.status, 0, plain.err);
-        QVERIFY2(plain.err.contains("the result of a.wav alone: s1 (gyro G1) has the same recordings"), plain.err);
+        QVERIFY2(
+            plain.err.contains("the result of a.wav alone: s1 (gyro G1) has the same recordings"),
+            plain.err);
         QCOMPARE(rows_by_sqlite(path("results.db"), "SELECT set_name, gyro FROM result"),
                  QStringList("a.wav|"));
     }

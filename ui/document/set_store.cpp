@@ -148,6 +148,7 @@ void SetStore::restore(const State& state) {
             set.outcomes = now->outcomes;
             set.kept = now->kept;
             set.kept_up_to_date = now->kept_up_to_date;
+            set.refusal = now->refusal;
         } else {
             queue_.forget(queue_.keyOfSet(set.id));
         }
@@ -402,7 +403,7 @@ void SetStore::identifySet(SetId id) {
     queue_.forget(queue_.keyOfSet(set.id));
     const MeasurementSet wanted = measured(set);
     if (const Status alike = check_conditions(wanted); !alike) {
-        refuse(id, alike.error());
+        refuse(id, wanted, alike.error());
         return;
     }
     OpenSet open;
@@ -414,12 +415,12 @@ void SetStore::identifySet(SetId id) {
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, std::move(open), [this, key](Result<SetResult>&& result) {
-        whenIdentified(key, std::move(result));
+    job_.identify(key, std::move(open), [this, key, wanted](Result<SetResult>&& result) {
+        whenIdentified(key, wanted, std::move(result));
     });
 }
 
-void SetStore::whenIdentified(int key, Result<SetResult>&& result) {
+void SetStore::whenIdentified(int key, const MeasurementSet& wanted, Result<SetResult>&& result) {
     const auto id = queue_.find(key)->set_id;
     if (result) {
         RecordingSet& set = *entry(id);
@@ -434,14 +435,13 @@ void SetStore::whenIdentified(int key, Result<SetResult>&& result) {
         emit changed();
         emit identified(id);
     } else if (result.error().code != ErrorCode::interrupted) {
-        refuse(id, result.error());
+        refuse(id, wanted, result.error());
     }
     queue_.done(key);
 }
 
-void SetStore::refuse(SetId id, const Error& error) {
-    RecordingSet& set = *entry(id);
-    set.refusal = {measured(set), error};
+void SetStore::refuse(SetId id, const MeasurementSet& wanted, const Error& error) {
+    entry(id)->refusal = {wanted, error};
     emit reported(errorMessage(error));
 }
 
@@ -451,9 +451,10 @@ const Error* SetStore::refusal(const RecordingSet& set) const {
     }
     const auto& [asked, error] = *set.refusal;
     const MeasurementSet now = measured(set);
-    return sameMembers(asked.recordings, now.recordings) && asked.settings == now.settings
-               ? &error
-               : nullptr;
+    const bool alike = sameMembers(asked.recordings, now.recordings) &&
+                       std::ranges::equal(asked.recordings, now.recordings, {},
+                                          &RecordingRef::conditions, &RecordingRef::conditions);
+    return alike && asked.settings == now.settings ? &error : nullptr;
 }
 
 bool SetStore::outOfDate(const RecordingSet& set, const SetResult& outcome) const {

@@ -127,8 +127,8 @@ private:
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
-    void whenIdentified(int key, Result<SetResult>&& result);
-    void refuse(SetId id, const Error& error);
+    void whenIdentified(int key, const MeasurementSet& wanted, Result<SetResult>&& result);
+    void refuse(SetId id, const MeasurementSet& wanted, const Error& error);
 
     BackgroundJobs& job_;
     const SettingsModel& settings_;

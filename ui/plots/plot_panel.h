@@ -19,6 +19,8 @@ public:
 
     // Sets curves, units and colours.
     void setContent(const PlotContent& content, const QFont& font);
+    // Without a new content: with the next replot.
+    void setMarks(const std::vector<double>& times_s) { marks_s_ = times_s; }
     void removeGraphs();
     // Automatic value axis for the visible part of all curves; {0, 1} without curves.
     AxisRange automaticValues() const;

@@ -62,6 +62,12 @@ void PlotStack::showNames(const PlotContent& content) {
     headStrip().setEntries(std::move(entries), Qt::AlignLeft);
 }
 
+void PlotStack::setMarks(const std::vector<double>& times_s) {
+    for (PlotPanel* panel : panels_) {
+        panel->setMarks(times_s);
+    }
+}
+
 void PlotStack::setZoom(const ZoomState& zoom) {
     for (PlotPanel* panel : panels_) {
         panel->setTime(zoom.time);

@@ -27,6 +27,8 @@ public:
     // data.
     void setZoom(const ZoomState& zoom);
 
+    void setMarks(const std::vector<double>& times_s);
+
     const std::vector<PlotPanel*>& panels() const { return panels_; }
     PlotPanel* panel(SlowVariable variable) const;
     // Plot at a position, including its head line.

@@ -165,14 +165,16 @@ void SignalView::drawFaults(QPainter& painter, const QRect& area) const {
     const auto x_of = [&](std::int64_t frame) {
         return toPixel(static_cast<double>(frame) / rate_hz_);
     };
-    // There may be thousands of clipped ranges; those of one pixel are drawn once.
-    double drawn_to = area.left();
-    for (const FrameRange& range : faults_->clipped) {
-        const double from = std::max(x_of(range.first), drawn_to);
-        const double to = std::max(x_of(range.end()), from + 1);
-        if (x_of(range.end()) > drawn_to) {
-            painter.fillRect(QRectF(from, area.top(), to - from, fault_row), theme_.warning);
-            drawn_to = to;
+    // There may be thousands of ranges; those of one pixel are drawn once.
+    for (const auto* const ranges : {&faults_->clipped, &faults_->still}) {
+        double drawn_to = area.left();
+        for (const FrameRange& range : *ranges) {
+            const double from = std::max(x_of(range.first), drawn_to);
+            const double to = std::max(x_of(range.end()), from + 1);
+            if (x_of(range.end()) > drawn_to) {
+                painter.fillRect(QRectF(from, area.top(), to - from, fault_row), theme_.warning);
+                drawn_to = to;
+            }
         }
     }
     painter.save();

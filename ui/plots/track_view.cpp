@@ -242,7 +242,8 @@ void TrackView::setUnits(const DisplayUnits& units) {
 void TrackView::setMarks(std::vector<double> times_s) {
     if (times_s != content_.marks_s) {
         content_.marks_s = std::move(times_s);
-        rebuild();
+        stack_.setMarks(content_.marks_s);
+        plot().replot(QCustomPlot::rpQueuedReplot);
     }
 }
 

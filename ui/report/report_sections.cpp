@@ -426,9 +426,8 @@ QString worstWarnings(const ReportContent& content) {
     std::vector<Finding> findings = findings_of(all);
     findings.resize(count_warnings(findings));
     return smallHeading(ReportWords::tr("Warnings")) +
-           (!findings.empty()        ? items(worstOf(findingTexts(findings)))
-            : content.not_identified ? paragraph(errorText(*content.not_identified))
-                                     : paragraph(ReportWords::tr("None.")));
+           (findings.empty() ? paragraph(ReportWords::tr("None."))
+                             : items(worstOf(findingTexts(findings))));
 }
 
 // Lines for those who answer for the report.

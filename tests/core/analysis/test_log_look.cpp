@@ -107,14 +107,15 @@ private slots:
             file.close();
             return look(file.fileName());
         };
-        const LogLook own = log("t,Xc,Yc,Xd,Yd,Pc (cyc),Pd (cyc)",
-                                [](int k) { return std::array{53.0 * k, 53.0 * k + 0.2}; });
+        const LogLook own = log("t,Xc,Yc,Xd,Yd,Pc (cyc),Pd (cyc)", [](int k) {
+            return std::array{53.0 * k, 53.0 * k + 0.2};
+        });
         QVERIFY(own.choice.phasors.frame == PhasorFrame::pll && !own.needs_f_ref);
         const LogLook common =
             log("t,Xc,Yc,Xd,Yd,P (rad)", [](int k) { return std::array{333.0 * k}; });
         QVERIFY(common.choice.phasors.frame == PhasorFrame::common && !common.needs_f_ref);
-        const LogLook deviations = log(
-            "t,Xc,Yc,Xd,Yd,F (Hz)", [](int k) { return std::array{0.3 * std::sin(0.3 * k)}; });
+        const LogLook deviations =
+            log("t,Xc,Yc,Xd,Yd,F (Hz)", [](int k) { return std::array{0.3 * std::sin(0.3 * k)}; });
         QVERIFY(deviations.choice.phasors.frame == PhasorFrame::common && deviations.needs_f_ref);
     }
 
