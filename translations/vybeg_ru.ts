@@ -1580,8 +1580,12 @@
         <translation>По собственным временам каналов частота отсчётов D на %1 ppm выше, чем у C; D интерполирован на времена C. Если часы у каналов общие, то времена неверны, а с ними и фаза между каналами.</translation>
     </message>
     <message>
-        <source>Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or a wave below one bit. Windows over them are flagged.</source>
-        <translation>Оба канала неподвижны период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна над ними отмечены.</translation>
+        <source>Neither channel moves for 16 samples and a period of the carrier, or longer, in %1 place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or a wave below one bit. Windows over them are flagged.</source>
+        <translation>Оба канала неподвижны 16 отсчётов и период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна над ними отмечены.</translation>
+    </message>
+    <message>
+        <source>In %1 places, the first at %2 s, both channels repeat a sample or are zero, off the wave around them: lost samples that were filled. The decay is wrong where their number grows or falls. Record without losses.</source>
+        <translation>В %1 местах, первое при %2 с, оба канала повторяют отсчёт или равны нулю, хотя волна вокруг иная: потерянные отсчёты заполнены. Если их число растёт или падает, затухание неверно. Записывайте без потерь.</translation>
     </message>
     <message>
         <source>Samples lost: %1 at %2 s. Windows over the place are flagged.</source>

@@ -70,9 +70,14 @@ ROW(clipped, warning,
         "Channel %1 is clipped: %2 samples at its rail, %3. Windows over them are flagged."))
 // %1: places; %2: samples.
 ROW(samples_still, warning,
-    Sentence::tr("Neither channel moves for a period of the carrier or longer, in %1 place(s), %2 "
-                 "samples in all, the first at %3 s: lost samples that were filled, or a wave "
-                 "below one bit. Windows over them are flagged."))
+    Sentence::tr(
+        "Neither channel moves for 16 samples and a period of the carrier, or longer, in %1 "
+        "place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or "
+        "a wave below one bit. Windows over them are flagged."))
+ROW(samples_filled, serious,
+    Sentence::tr("In %1 places, the first at %2 s, both channels repeat a sample or are zero, off "
+                 "the wave around them: lost samples that were filled. The decay is wrong where "
+                 "their number grows or falls. Record without losses."))
 ROW(samples_lost, warning,
     Sentence::tr("Samples lost: %1 at %2 s. Windows over the place are flagged."))
 ROW(samples_doubled, warning,

@@ -345,6 +345,7 @@ double FaultCheck::ChannelSums::mean() const {
 FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
     if (f0_hz) {
         least_still_ = least_still_frames(*f0_hz, rate_hz);
+        cos_w_ = std::cos(2 * std::numbers::pi * *f0_hz / rate_hz);
         steps_.emplace(*f0_hz, rate_hz);
     }
 }
@@ -403,8 +404,19 @@ void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
                            std::span<const double> d) {
     opening_ = opening_ < 0 ? first_frame : opening_;
     std::int64_t alike = c[0] == last_[0] && d[0] == last_[1] ? 1 : 0;
+    std::int64_t zeros = 0;
     for (std::size_t j = 1; j < c.size(); ++j) {
         alike += static_cast<std::int64_t>((c[j] == c[j - 1]) & (d[j] == d[j - 1]));
+        zeros += static_cast<std::int64_t>((c[j] == 0) & (d[j] == 0));
+    }
+    if (alike + zeros > 0) {
+        const auto [low_c, high_c] = std::ranges::minmax(c);
+        const auto [low_d, high_d] = std::ranges::minmax(d);
+        if (high_c - low_c > high_d - low_d) {
+            add_filled(first_frame, c, d, low_c, high_c);
+        } else {
+            add_filled(first_frame, d, c, low_d, high_d);
+        }
     }
     const std::size_t from = alike > 0 ? 0 : c.size() - 1;
     for (std::size_t j = from; j < c.size(); ++j) {
@@ -418,8 +430,38 @@ void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
     }
 }
 
+// Of a sinusoid about its middle, x(j-1) + x(j+1) = 2 cos(w) x(j). The last frame of a fill counts.
+void FaultCheck::add_filled(std::int64_t first_frame, std::span<const double> x,
+                            std::span<const double> y, double low, double high) {
+    const double bound = 0.15 * (high - low);
+    const double of_middle = (1 - cos_w_) * (low + high);
+    const auto is_off = [&](std::size_t j) {
+        return std::abs(x[j - 1] + x[j + 1] - 2 * cos_w_ * x[j] - of_middle) > bound;
+    };
+    const auto repeats = [&](std::size_t j) { return x[j] == x[j - 1] && y[j] == y[j - 1]; };
+    const auto is_empty = [&](std::size_t j) { return x[j] == 0 && y[j] == 0; };
+    for (std::size_t j = 2; j + 2 < x.size(); ++j) {
+        const bool filled = (repeats(j) && !repeats(j + 1)) || (is_empty(j) && !is_empty(j + 1));
+        const bool at_rail = x[j] == low || x[j] == high;
+        if (filled && !at_rail && (is_off(j - 1) || is_off(j) || is_off(j + 1))) {
+            ++filled_;
+            const std::int64_t frame = first_frame + static_cast<std::int64_t>(j);
+            first_filled_ = first_filled_ < 0 ? frame : first_filled_;
+        }
+    }
+}
+
 void FaultCheck::close_still() {
-    if (unmoved_.count < least_still_ || least_still_ == 0 || unmoved_.first == opening_) {
+    if (unmoved_.count < least_still_ || least_still_ == 0) {
+        return;
+    }
+    for (std::size_t k = 0; k < sums_.size(); ++k) {  // they are of no offset
+        const auto count = static_cast<double>(unmoved_.count);
+        sums_[k].sum -= count * last_[k];
+        sums_[k].squares -= count * last_[k] * last_[k];
+        sums_[k].valid -= unmoved_.count;
+    }
+    if (unmoved_.first == opening_) {
         return;
     }
     still_frames_ += unmoved_.count;
@@ -452,6 +494,16 @@ SampleFaults FaultCheck::finish() {
                                    first,
                                    still_frames_});
         faults.still = std::move(still_);
+    }
+    constexpr std::int64_t few = 10;
+    constexpr std::int64_t one_of = 1000;
+    const std::int64_t frames = std::max(sums_[0].valid, sums_[1].valid);
+    if (filled_ > few && filled_ > frames / one_of) {
+        faults.findings.push_back(
+            {DiagnosticKind::samples_filled,
+             {count_arg(filled_), number_arg(static_cast<double>(first_filled_) / rate_hz_, 9)},
+             first_filled_,
+             filled_});
     }
     if (steps_) {
         faults.steps = steps_->finish();

@@ -52,7 +52,9 @@ bool stand_still(std::span<const double> c, std::span<const double> d, std::int6
 
 // Finds missing samples, clipping, lost samples, and ranges that stand still: a recorder or a
 // decoder fills lost samples with zeros or with the last one; what stands still from the first
-// frame on is the silence before the wave. All in one pass.
+// frame on is the silence before the wave. Shorter fills are told where one frame of a thousand
+// repeats the one before, or is zero in both channels, and lies off the sinusoid through its
+// neighbours. All in one pass.
 class FaultCheck {
 public:
     // Without a carrier it does not search for lost or still samples.
@@ -81,6 +83,9 @@ private:
                      std::span<const double> d);
     void add_still(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
     void close_still();
+    // `low`, `high`: values of x, the larger channel.
+    void add_filled(std::int64_t first_frame, std::span<const double> x, std::span<const double> y,
+                    double low, double high);
 
     double rate_hz_;
     std::array<ChannelSums, 2> sums_;
@@ -98,6 +103,9 @@ private:
     std::vector<FrameRange> still_;
     std::int64_t still_frames_ = 0;  // also of those beyond ClippingCheck::most_places
     std::int64_t still_places_ = 0;
+    double cos_w_ = 0;         // of the carrier from sample to sample
+    std::int64_t filled_ = 0;  // single frames that do not fit those beside them
+    std::int64_t first_filled_ = -1;
     std::optional<PhaseStepCheck> steps_;
 };
 

@@ -148,6 +148,46 @@ private slots:
         QVERIFY(places == clipped);
     }
 
+    void shortFillsAreToldAndWavesOfAnyResolutionAreNot() {
+        for (const int bits : {0, 8, 12, 16}) {
+            for (const double noise : {0.0, 1e-3, 0.03}) {
+                for (const double f : {5300.0, 1000.123, 33333 / 4.0, 15000.0}) {
+                    std::mt19937_64 random(11);
+                    std::normal_distribution<double> gauss(0, noise);
+                    std::uniform_int_distribution<int> any(0, 99);
+                    const double unit = bits > 0 ? std::exp2(1 - bits) : 0;
+                    const auto written = [unit](double x) {
+                        return unit > 0 ? unit * std::round(x / unit) : x;
+                    };
+                    for (const int fill : {0, 1, 2}) {  // none, zeros, the last one
+                        Signal signal;
+                        for (int j = 0; j < 100000; ++j) {
+                            const double wave =
+                                std::exp(-j / 1e5) * std::cos(2 * std::numbers::pi * f / 33333 * j);
+                            signal.c.push_back(written(0.02 + 0.8 * wave + gauss(random)));
+                            signal.d.push_back(written(0.3 * wave + gauss(random)));
+                            if (fill > 0 && j > 0 && any(random) == 0) {
+                                signal.c.back() = fill == 1 ? 0 : signal.c[signal.c.size() - 2];
+                                signal.d.back() = fill == 1 ? 0 : signal.d[signal.d.size() - 2];
+                            }
+                        }
+                        FaultCheck check(f, 33333);
+                        check.add(0, signal.c, signal.d);
+                        const SampleFaults faults = check.finish();
+                        const auto told = std::ranges::count(
+                            faults.findings, DiagnosticKind::samples_filled, &Diagnostic::kind);
+                        QVERIFY2(told == (fill > 0 ? 1 : 0),
+                                 qPrintable(QString("%1 bits, noise %2, %3 Hz, fill %4")
+                                                .arg(bits)
+                                                .arg(noise)
+                                                .arg(f)
+                                                .arg(fill)));
+                    }
+                }
+            }
+        }
+    }
+
     void unclippedSignalsHaveNoRail() {
         for (const int bits : {0, 10, 12, 16, 20}) {
             for (const double noise : {0.0, 1e-4, 1e-2}) {
