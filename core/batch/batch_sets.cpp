@@ -9,11 +9,14 @@
 #include "core/output/output_file.h"
 #include "core/recording/bytes/sha256.h"
 #include "core/recording/samples/open_table.h"
+#include "core/recording/text/csv_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <filesystem>
 #include <map>
+#include <ranges>
 #include <set>
 #include <span>
 #include <sys/stat.h>
@@ -177,6 +180,82 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
     return text_sha256(text);
 }
 
+const std::string& field_of(const BatchRow& fields, const std::string& column) {
+    const std::vector<std::string> names = batch_columns(true);
+    return fields.at(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
+}
+
+std::set<std::string> kept_keys(const std::vector<SetTask>& tasks, const RowJournal& journal,
+                                bool with_files) {
+    const auto is_there = [](const std::string* file) {
+        std::error_code unknown;
+        return file->empty() || fs::exists(*file, unknown);
+    };
+    std::map<std::string, const SetTask*> by_name;
+    for (const SetTask& task : tasks) {
+        by_name.emplace(plain_text(task.set->name), &task);
+    }
+    std::set<std::string> kept;
+    std::set<std::string> seen;
+    std::set<std::string> of_others;
+    for (const RowJournal::Row& row : std::views::reverse(journal.rows())) {
+        const BatchRow fields = csv_fields(row.text);
+        const auto found = by_name.find(field_of(fields, "set"));
+        bool is_free = true;
+        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
+            const std::string file(part.begin(), part.end());
+            is_free = is_free && !of_others.contains(file);
+            if (found == by_name.end()) {
+                of_others.insert(file);
+            }
+        }
+        if (found == by_name.end() || !seen.insert(found->first).second ||
+            row.key != found->second->key || !is_free) {
+            continue;
+        }
+        const SetTask& task = *found->second;
+        if (!with_files || field_of(fields, "status") != "ok" ||
+            std::ranges::all_of(std::array{&task.json, &task.new_passport}, is_there)) {
+            kept.insert(row.key);
+        }
+    }
+    return kept;
+}
+
+std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
+                                           const RowJournal& journal, const std::string& request,
+                                           bool limits, std::size_t columns) {
+    std::set<std::string> sets;
+    std::set<std::string> files;
+    for (const SetTask& task : tasks) {
+        sets.insert(task.set->name);
+        for (const RecordingRef& recording : task.set->recordings) {
+            files.insert(recording.file);
+        }
+    }
+    std::vector<std::string> rows;
+    for (const auto& [key, row] : std::views::reverse(journal.rows())) {
+        if (!key.starts_with(request)) {
+            continue;
+        }
+        BatchRow fields = csv_fields(row);
+        bool known = !sets.insert(field_of(fields, "set")).second;
+        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
+            known = !files.insert(std::string(part.begin(), part.end())).second || known;
+        }
+        if (known) {
+            continue;
+        }
+        if (fields.size() != columns) {
+            fields.resize(batch_columns(limits).size());
+            fields.resize(columns);
+        }
+        rows.push_back(csv_row(fields));
+    }
+    std::ranges::reverse(rows);
+    return rows;
+}
+
 bool is_folder(const std::string& path) {
     std::error_code unknown;
     return fs::is_directory(path, unknown);
@@ -206,7 +285,7 @@ Result<MeasurementList> FolderWatch::look() {
     auto files = TRY(wanted_list(request_));
     stamps_before_ = std::exchange(stamps_, {});
     fault_.reset();
-    list_.clear();
+    const bool had_list = !std::exchange(list_, fs::path()).empty() || looks_without_ > 0;
     MeasurementList come;
     std::set<fs::path> listed;
     std::vector<MeasurementSet> single;
@@ -240,7 +319,11 @@ Result<MeasurementList> FolderWatch::look() {
         }
         come = std::move(*list);
     }
-    if (fault_ || list_in_writing) {  // which files are of its sets is unknown
+    // A list that is saved anew, or on a share that blinks, is away for a moment.
+    constexpr int most_looks = 5;
+    const bool gone = list_.empty() && !list_in_writing && had_list;
+    looks_without_ = gone && looks_without_ < most_looks ? looks_without_ + 1 : 0;
+    if (fault_ || list_in_writing || looks_without_ > 0) {  // which files are its sets' is unknown
         return MeasurementList{};
     }
     std::erase_if(come.sets, [&](const MeasurementSet& set) {

@@ -4,11 +4,14 @@
 #include "core/analysis/passport.h"
 #include "core/base/result.h"
 #include "core/batch/batch_request.h"
+#include "core/output/batch_csv.h"
+#include "core/output/row_journal.h"
 #include "core/resonator/results/resonator_parameters.h"
 
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +61,22 @@ MeasurementList list_of_files(const std::string& set, const std::vector<std::str
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
                             const std::string& database);
 
+// A field of a row by the name of its column, which each table has or, if it has limits, this one.
+const std::string& field_of(const BatchRow& fields, const std::string& column);
+
+// Keys of the rows that need not be computed: each is the last one of its set, no set that is not
+// there any more has a later one of the same files, and, `with_files`, the files of its result are
+// there. What else has been written meanwhile, as into the database, is then of this row.
+std::set<std::string> kept_keys(const std::vector<SetTask>& tasks, const RowJournal& journal,
+                                bool with_files);
+
+// Rows of sets whose recordings have left a watched folder, in the order of their computation,
+// whose keys begin with `request`. A row counts no more where its set, or a file of it, has a later
+// one. `columns`: of the table; without those of the list where these were others.
+std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
+                                           const RowJournal& journal, const std::string& request,
+                                           bool limits, std::size_t columns);
+
 bool is_folder(const std::string& path);
 
 // Finished rows of a table that is not complete, beside it.
@@ -93,6 +112,7 @@ private:
 
     const BatchRequest& request_;
     std::filesystem::path list_;
+    int looks_without_ = 0;  // since the list was there
     std::optional<Error> fault_;
     std::map<std::filesystem::path, std::string> stamps_;         // of this look
     std::map<std::filesystem::path, std::string> stamps_before_;  // of the look before

@@ -79,54 +79,11 @@ Result<std::vector<std::string>> header_of(const BatchRequest& request, const Jo
     return lines;
 }
 
-// A field of a row by the name of its column, which each table has or, if it has limits, this one.
-const std::string& field_of(const BatchRow& fields, const std::string& column) {
-    const std::vector<std::string> names = batch_columns(true);
-    return fields.at(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
-}
-
 // How many sets do not keep the limits, by the table's column.
 struct LimitCounts {
     std::int64_t failed = 0;
     std::int64_t undecided = 0;
 };
-
-// Rows of sets whose recordings have left a watched folder, in the order of their computation,
-// whose keys begin as those of this request. A row counts no more where its set, or a file of it,
-// has a later one. `columns`: of the table; without those of the list where these were others.
-std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
-                                           const RowJournal& journal, const std::string& request,
-                                           bool limits, std::size_t columns) {
-    std::set<std::string> sets;
-    std::set<std::string> files;
-    for (const SetTask& task : tasks) {
-        sets.insert(task.set->name);
-        for (const RecordingRef& recording : task.set->recordings) {
-            files.insert(recording.file);
-        }
-    }
-    std::vector<std::string> rows;
-    for (const auto& [key, row] : std::views::reverse(journal.rows())) {
-        if (!key.starts_with(request)) {
-            continue;
-        }
-        BatchRow fields = csv_fields(row);
-        bool known = !sets.insert(field_of(fields, "set")).second;
-        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
-            known = !files.insert(std::string(part.begin(), part.end())).second || known;
-        }
-        if (known) {
-            continue;
-        }
-        if (fields.size() != columns) {
-            fields.resize(batch_columns(limits).size());
-            fields.resize(columns);
-        }
-        rows.push_back(csv_row(fields));
-    }
-    std::ranges::reverse(rows);
-    return rows;
-}
 
 Status write_table(OutputFile& output, const BatchRequest& request, const MeasurementList& list,
                    const std::vector<std::string>& header, const std::vector<SetTask>& tasks,
@@ -251,7 +208,7 @@ private:
                 std::ranges::copy(fresh, std::back_inserter(warned));
             }
             tell(folder.fault());
-            sets = std::ssize(list.sets);
+            sets = list.sets.empty() ? sets : std::ssize(list.sets);
             TRY(list.sets.empty() ? Status() : compute(list));
             pause(stop_, FolderWatch::pause_s);
         }
@@ -282,7 +239,9 @@ private:
         }
         if (journal_) {
             TRY(set_keys(tasks));
-            if (std::ranges::all_of(tasks, [this](const auto& task) { return is_kept(task); })) {
+            kept_ = kept_keys(tasks, *journal_, written_.empty());
+            if (std::ranges::equal(tasks, written_, {}, &SetTask::key) &&
+                std::ranges::all_of(tasks, [this](const auto& task) { return is_kept(task); })) {
                 return {};
             }
         }
@@ -290,6 +249,7 @@ private:
         if (!journal_) {
             TRY(open_files(output));
             TRY(set_keys(tasks));
+            kept_ = kept_keys(tasks, *journal_, written_.empty());
             tell_other_rows(tasks);
         }
         events_.begun(list);
@@ -300,21 +260,12 @@ private:
             }
         }
         TRY(compute_rows(list, tasks, header, output));
-        looked_ = request_.watch;
+        written_.clear();
+        std::ranges::transform(tasks, std::back_inserter(written_), &SetTask::key);
         return {};
     }
 
-    // Whether the row of a set is in the journal, and the files of its result are there: once in a
-    // folder that is watched, where they may be filed away later.
-    bool is_kept(const SetTask& task) const {
-        const auto is_there = [](const std::string* file) {
-            std::error_code unknown;
-            return file->empty() || fs::exists(*file, unknown);
-        };
-        return journal_->has(task.key) &&
-               (looked_ || field_of(csv_fields(journal_->row(task.key)), "status") != "ok" ||
-                std::ranges::all_of(std::array{&task.json, &task.new_passport}, is_there));
-    }
+    bool is_kept(const SetTask& task) const { return kept_.contains(task.key); }
 
     // Gives each task the key of its row.
     Status set_keys(std::vector<SetTask>& tasks) const {
@@ -612,7 +563,8 @@ private:
     std::string identity_;     // of the database
     std::string request_key_;  // with which the keys of a watched folder's rows begin
     std::optional<RowJournal> journal_;
-    bool looked_ = false;  // at the watched folder, and its rows computed
+    std::set<std::string> kept_;        // keys of rows that need not be computed
+    std::vector<std::string> written_;  // keys of the rows of the last table, in its order
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "core/recording/checks/fault_checks.h"
+#include "core/recording/checks/recording_check.h"
 #include "tests/closeness.h"
 #include "tests/core/recording/checks/line_signal.h"
 #include "tests/test_registry.h"
