@@ -4391,6 +4391,10 @@
         <translation>это таблица допусков</translation>
     </message>
     <message>
+        <source>the session has no recording of this number</source>
+        <translation>в сеансе нет записи с таким номером</translation>
+    </message>
+    <message>
         <source>samples in the encoding %1</source>
         <translation>отсчёты в кодировании %1</translation>
     </message>

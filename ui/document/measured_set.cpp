@@ -124,4 +124,23 @@ std::vector<RecordingSet> openSets(const MeasurementList& list, RecordingStore& 
     return sets;
 }
 
+bool sameMembers(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
+    return std::ranges::is_permutation(
+        a, b, [](const RecordingRef& one, const RecordingRef& other) {
+            return one.id == other.id &&
+                   (one.id != 0 || (one.path == other.path && one.open == other.open));
+        });
+}
+
+const Error* refusalOf(const RecordingSet& set, const MeasurementSet& now) {
+    if (!set.refusal) {
+        return nullptr;
+    }
+    const auto& [asked, error] = *set.refusal;
+    const bool alike = sameMembers(asked.recordings, now.recordings) &&
+                       std::ranges::equal(asked.recordings, now.recordings, {},
+                                          &RecordingRef::conditions, &RecordingRef::conditions);
+    return alike && asked.settings == now.settings ? &error : nullptr;
+}
+
 }  // namespace vybeg::ui

@@ -17,6 +17,13 @@ namespace vybeg::ui {
 MeasurementSet measurementOf(const RecordingSet& set, const SettingsModel& settings,
                              const RecordingStore& recordings);
 
+// Whether they are the same members of a set, in any order: the resonator is the same. Logs, which
+// have no ids, are the same files, read in the same way.
+bool sameMembers(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b);
+
+// Why a set has no result, where it was refused as it is now; null otherwise.
+const Error* refusalOf(const RecordingSet& set, const MeasurementSet& now);
+
 // Files that a set of a list names more than once.
 QStringList namedTwice(const MeasurementSet& set);
 

@@ -4,7 +4,6 @@
 #include "core/output/identify_json.h"
 #include "core/output/output_file.h"
 #include "core/output/passport_json.h"
-#include "ui/document/measured_set.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -16,16 +15,6 @@
 namespace vybeg::ui {
 
 namespace {
-
-// In any order: the resonator is the same. Logs, which have no ids, are the same files, read in the
-// same way.
-bool sameMembers(const std::vector<RecordingRef>& a, const std::vector<RecordingRef>& b) {
-    return std::ranges::is_permutation(
-        a, b, [](const RecordingRef& one, const RecordingRef& other) {
-            return one.id == other.id &&
-                   (one.id != 0 || (one.path == other.path && one.open == other.open));
-        });
-}
 
 // Logs, and recordings by their ids alone.
 std::vector<RecordingRef> membersOf(const RecordingSet& set) {
@@ -445,18 +434,6 @@ void SetStore::refuse(SetId id, const MeasurementSet& wanted, const Error& error
     emit reported(errorMessage(error));
 }
 
-const Error* SetStore::refusal(const RecordingSet& set) const {
-    if (!set.refusal) {
-        return nullptr;
-    }
-    const auto& [asked, error] = *set.refusal;
-    const MeasurementSet now = measured(set);
-    const bool alike = sameMembers(asked.recordings, now.recordings) &&
-                       std::ranges::equal(asked.recordings, now.recordings, {},
-                                          &RecordingRef::conditions, &RecordingRef::conditions);
-    return alike && asked.settings == now.settings ? &error : nullptr;
-}
-
 bool SetStore::outOfDate(const RecordingSet& set, const SetResult& outcome) const {
     return !isOf(outcome, set) || outcome.identification.settings != measured(set).settings;
 }
@@ -468,16 +445,6 @@ std::shared_ptr<const SetResult> SetStore::outcome(const RecordingSet& set) cons
         return *up_to_date;
     }
     return set.outcomes.empty() ? nullptr : set.outcomes.back();
-}
-
-RecordingSet SetStore::asKept(const RecordingSet& set) const {
-    RecordingSet kept = set;
-    kept.outcomes.clear();
-    if (const auto found = outcome(set)) {
-        kept.kept = QJsonDocument::fromJson(QByteArray::fromStdString(found->saved)).object();
-        kept.kept_up_to_date = !outOfDate(set, *found);
-    }
-    return kept;
 }
 
 SetResult SetStore::underPresentConditions(const RecordingSet& set,

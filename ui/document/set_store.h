@@ -3,6 +3,7 @@
 #include "core/analysis/passport.h"
 #include "ui/document/background_jobs.h"
 #include "ui/document/edits.h"
+#include "ui/document/measured_set.h"
 #include "ui/document/recording_store.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
@@ -82,12 +83,9 @@ public:
     std::shared_ptr<const SetResult> outcome(const RecordingSet& set) const;
     bool outOfDate(const RecordingSet& set, const SetResult& outcome) const;
     // Why the set as it is now has no result; null: none is known.
-    const Error* refusal(const RecordingSet& set) const;
+    const Error* refusal(const RecordingSet& set) const { return refusalOf(set, measured(set)); }
     // An outcome of the set with the name and the conditions that the set has now.
     SetResult underPresentConditions(const RecordingSet& set, const SetResult& outcome) const;
-    // The set as a session keeps it: of its outcomes the newest, otherwise what the session
-    // brought.
-    RecordingSet asKept(const RecordingSet& set) const;
 
     // Passports are written and read in the background; errors are reported.
     // Its gyro: the one that the current set's list names, otherwise that of the session.

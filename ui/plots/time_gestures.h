@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/plots/time_stack.h"
 #include "ui/values/zoom_state.h"
 
 #include <QObject>
@@ -75,7 +76,6 @@ private:
 };
 
 class TimeOverlay;
-class TimeStack;
 
 // The two measuring cursors.
 enum class Cursor { a, b };
@@ -165,6 +165,29 @@ private:
     Cursor chosen_ = Cursor::a;
     QPointF press_;
     ZoomState press_state_;
+};
+
+// Items that move with the mouse, on a separate layer, so that the curves below are not drawn
+// again: the hair lines of the tracker and the two cursors, the rubber band.
+class TimeOverlay : public QCPLayerable {
+public:
+    TimeOverlay(const TimeStack& stack, const TimeGestures& gestures);
+
+    void setBand(std::optional<QRectF> band) { band_ = band; }
+
+protected:
+    const TimeGestures& gestures() const { return gestures_; }
+
+    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+    void draw(QCPPainter* painter) override;
+
+private:
+    void drawHair(QCPPainter& painter, std::optional<double> time_s, const QColor& color,
+                  const QString& name) const;
+
+    const TimeStack& stack_;
+    const TimeGestures& gestures_;
+    std::optional<QRectF> band_;
 };
 
 }  // namespace vybeg::ui

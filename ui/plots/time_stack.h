@@ -8,8 +8,6 @@
 namespace vybeg::ui {
 
 class PlotStrip;
-class TimeGestures;
-
 // Plots over each other on one time axis, in one column of a QCustomPlot's layout, with a row of
 // texts above them and the name of the time below: on the screen, on paper and in figures. The
 // QCustomPlot owns the elements; preparePlot() comes first.
@@ -63,28 +61,5 @@ void preparePlot(QCustomPlot& plot, const Theme& theme);
 // The font of everything in plots: that of the widgets, with its size in pixels so that screens,
 // pictures and files agree.
 QFont plotFont(const QWidget& widget);
-
-// Items that move with the mouse, on a separate layer, so that the curves below are not drawn
-// again: the hair lines of the tracker and the two cursors, the rubber band.
-class TimeOverlay : public QCPLayerable {
-public:
-    TimeOverlay(const TimeStack& stack, const TimeGestures& gestures);
-
-    void setBand(std::optional<QRectF> band) { band_ = band; }
-
-protected:
-    const TimeGestures& gestures() const { return gestures_; }
-
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
-    void draw(QCPPainter* painter) override;
-
-private:
-    void drawHair(QCPPainter& painter, std::optional<double> time_s, const QColor& color,
-                  const QString& name) const;
-
-    const TimeStack& stack_;
-    const TimeGestures& gestures_;
-    std::optional<QRectF> band_;
-};
 
 }  // namespace vybeg::ui

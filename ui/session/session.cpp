@@ -7,6 +7,7 @@
 #include "ui/words/program_name.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <map>
@@ -291,9 +292,12 @@ Result<RecordingSet> setFromJson(const QJsonObject& json, std::size_t recordings
     RecordingSet set;
     set.name = json[name_key].toString();
     for (const auto& value : json[recordings_key].toArray()) {
-        if (const auto id = idAt(value.toInt(-1), recordings); id != RecordingId::none) {
-            set.recordings.push_back(id);
+        const auto id = idAt(value.toInt(-1), recordings);
+        if (id == RecordingId::none) {
+            return refused_value("recordings", std::to_string(value.toInt(-1)),
+                                 Phrase::tr("the session has no recording of this number"));
         }
+        set.recordings.push_back(id);
     }
     IdentifySettings model;
     TRY(readIdentify("model", json[model_key], model));
@@ -367,6 +371,17 @@ bool isListOfObjects(const QJsonValue& value) {
                                           [](const auto& element) { return element.isObject(); });
 }
 
+// The set with its newest outcome, or otherwise what the session brought.
+RecordingSet asKept(const SetStore& sets, const RecordingSet& set) {
+    RecordingSet kept = set;
+    kept.outcomes.clear();
+    if (const auto found = sets.outcome(set)) {
+        kept.kept = QJsonDocument::fromJson(QByteArray::fromStdString(found->saved)).object();
+        kept.kept_up_to_date = !sets.outOfDate(set, *found);
+    }
+    return kept;
+}
+
 // A place outside of its list is none.
 void keepWithin(int& place, std::size_t count) {
     place = place >= 0 && place < static_cast<int>(count) ? place : -1;
@@ -390,7 +405,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         if (document.sets().current() == &set) {
             session.current_set = static_cast<int>(session.sets.size());
         }
-        session.sets.push_back(document.sets().asKept(set));
+        session.sets.push_back(asKept(document.sets(), set));
     }
     session.drift = {document.drift().logs(), document.drift().settings()};
     const PlotContent content = tracks.content();

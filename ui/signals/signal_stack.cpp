@@ -2,7 +2,6 @@
 
 #include "ui/plots/envelope_paint.h"
 #include "ui/plots/plot_strip.h"
-#include "ui/plots/time_gestures.h"
 #include "ui/words/display_units.h"
 
 #include <algorithm>

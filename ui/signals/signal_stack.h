@@ -5,7 +5,7 @@
 #include "core/residuals/signal_curves.h"
 #include "ui/plots/plot_file.h"
 #include "ui/plots/time_panel.h"
-#include "ui/plots/time_stack.h"
+#include "ui/plots/time_gestures.h"
 #include "ui/values/curve_data.h"
 #include "ui/widgets/theme.h"
 

@@ -367,7 +367,7 @@ private slots:
 
     void a_figure_without_columns_is_an_empty_page() {
         const QString path = dir_.filePath(QStringLiteral("empty.png"));
-        QVERIFY(drawnFigure({}, path));
+        QVERIFY(drawnFigure(articleFigure({}), path));
         QCOMPARE(ink(QImage(path)), 0.);
     }
 };
