@@ -380,12 +380,11 @@ Result<int> write_session_report(const GuiRequest& request, std::stop_token stop
     TRY(wait_until(ready, stop));
     TRY(check_request("--report", request.report, recording_files(request, document),
                       request.settings));
-    for (const ui::RecordingSet& set : document.sets().all()) {
-        if (!session.isComplete(set)) {
-            return refused_value("--report", request.inputs.front(),
-                                 "a recording of the set " + set.name.toStdString() +
-                                     " is not there: put it back, or take it out of the set");
-        }
+    if (const auto lacking = session.lackingSet()) {
+        return refused_value("--report", request.inputs.front(),
+                             "a recording of the set " + lacking->toStdString() +
+                                 " is not there, or cannot be read: put it back, or take it out of "
+                                 "the set");
     }
     identify_the_rest(document);
     TRY(wait_until(ready, stop));

@@ -329,6 +329,17 @@ bool SessionKeeper::isComplete(const RecordingSet& set) const {
     return std::ranges::none_of(absent_, is_of_set) && std::ranges::all_of(set.recordings, is_open);
 }
 
+std::optional<QString> SessionKeeper::lackingSet() const {
+    const auto is_lost = [this](RecordingId of_session) {
+        const auto place = static_cast<std::size_t>(number(of_session) - 1);
+        return place < wanted_ids_.size() && !document_.recording(wanted_ids_[place]);
+    };
+    const auto lacking = std::ranges::find_if(wanted_.sets, [&](const RecordingSet& set) {
+        return std::ranges::any_of(set.recordings, is_lost);
+    });
+    return lacking == wanted_.sets.end() ? std::nullopt : std::optional(lacking->name);
+}
+
 void SessionKeeper::compareHash(RecordingId recording_id) {
     const auto stated = stated_.find(recording_id);
     const RecordingEntry* entry = document_.recording(recording_id);

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ public:
     void offerAbandoned();
     // Whether all recordings of a set are there and open.
     bool isComplete(const RecordingSet& set) const;
+    // Name of a set of the session that was opened last of which a recording is not there, or
+    // cannot be read; none: all are complete.
+    std::optional<QString> lackingSet() const;
     // Opens a recording that was not found in the place of one of the session.
     void supply(std::size_t absent, const QString& path);
     // The window closes: waits for what is being saved; the backup is not needed any more.

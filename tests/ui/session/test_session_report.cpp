@@ -59,6 +59,16 @@ private slots:
         QVERIFY2(lacking.err.contains("a recording of the set S is not there"),
                  qPrintable(lacking.err));
         QVERIFY(!QFile::exists(home_.path("lacking.pdf")));
+        // Likewise where it cannot be read.
+        home_.file("empty.wav", "");
+        const Outcome unread =
+            run({home_.file("unread.vybeg", R"({"vybeg_session": 1, "recordings": [
+                     {"path": "of_session.wav"}, {"path": "empty.wav"}],
+                     "sets": [{"name": "S", "recordings": [0, 1]}]})"),
+                 "--report", home_.path("lacking.pdf")});
+        QCOMPARE(unread.status, 2);
+        QVERIFY2(unread.err.contains("a recording of the set S is not there, or cannot be read"),
+                 qPrintable(unread.err));
         const Outcome broken = run({home_.file("broken.vybeg", "{"), "--report", report});
         QCOMPARE(broken.status, 3);
         QVERIFY2(broken.err.contains("not a session that can be read"), qPrintable(broken.err));
