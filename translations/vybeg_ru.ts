@@ -4395,6 +4395,10 @@
         <translation>в сеансе нет записи с таким номером</translation>
     </message>
     <message>
+        <source>it must be a folder</source>
+        <translation>это должна быть папка</translation>
+    </message>
+    <message>
         <source>samples in the encoding %1</source>
         <translation>отсчёты в кодировании %1</translation>
     </message>

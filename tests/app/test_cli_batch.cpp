@@ -294,6 +294,8 @@ private slots:
         row("list.csv -o new.csv --passport none", 3, "none: there is no such file");
         row("list.csv -o none/new.csv", 5, "none/new.csv cannot be written");
         row("list.csv -o new.csv --json a.wav", 5, "a.wav cannot be written");
+        row("list.csv -o new.csv --json ./new.csv", 2, "the table goes there already");
+        row("list.csv -o new.csv --json -", 2, "it must be a folder");
         row("list.csv -o new.csv --json /proc/none", 5, "cannot be written");
     }
 

@@ -28,6 +28,7 @@ class TestCliBatchResume : public QObject, private CliFolder {
 
     const QStringList work_ = words("batch list.csv -o results.csv --json json --threads 1");
     QByteArray table_;
+    QMap<QString, QByteArray> results_;  // by the names of their files
     qint64 undisturbed_ms_ = 0;
 
     void begin(QProcess& process, const QStringList& options = {}) const {
@@ -84,13 +85,22 @@ class TestCliBatchResume : public QObject, private CliFolder {
         return false;
     }
 
+    QMap<QString, QByteArray> results() const {
+        QMap<QString, QByteArray> found;
+        for (const QString& name : QDir(path("json")).entryList(QDir::Files | QDir::Hidden)) {
+            found[name] = file("json/" + name);
+        }
+        return found;
+    }
+
     void resume_and_compare() const {
         const Outcome outcome = run(work_ + words("--resume"));
         VYBEG_EQUAL(outcome.status, 0, outcome.err);
         QCOMPARE(file("results.csv"), table_);
         QVERIFY(!QFile::exists(path(journal)));
         QCOMPARE(temporaries(), QStringList());
-        QCOMPARE(QDir(path("json")).entryList(QDir::Files | QDir::Hidden).size(), 9);
+        QCOMPARE(results().size(), 9);
+        QVERIFY(results() == results_);
     }
 
     // As a run from nothing, and none of those of before.
@@ -111,6 +121,7 @@ private slots:
         QCOMPARE(run(work_).status, 0);
         undisturbed_ms_ = timer.elapsed();
         table_ = file("results.csv");
+        results_ = results();
         QCOMPARE(rows_of(table_).size(), 12);
     }
 
@@ -272,6 +283,14 @@ private slots:
             QVERIFY2(file(journal).startsWith(rows), outcome.err);
         }
         QVERIFY(interrupted);
+        resume_and_compare();
+    }
+
+    // The file of a set is that of its last row, which is of other settings here.
+    void results_of_other_settings_are_written_again() {
+        QVERIFY(leave_rows());
+        end_after({"--resume", "--filter", "5000,5600"}, SIGKILL, -1);
+        QVERIFY(results() != results_);
         resume_and_compare();
     }
 

@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,6 @@ public:
     bool isOpening() const { return opening_; }
     // Offers the sessions of programs that did not end as they should.
     void offerAbandoned();
-    // Whether all recordings of a set are there and open.
-    bool isComplete(const RecordingSet& set) const;
     // Name of a set of the session that was opened last of which a recording is not there, or
     // cannot be read; none: all are complete.
     std::optional<QString> lackingSet() const;
@@ -76,6 +75,8 @@ private:
     // What saving keeps from a change: the session without its view and hashes.
     QJsonObject content() const;
     QJsonObject backup() const;
+    // Whether all recordings of a set are there and open.
+    bool isComplete(const RecordingSet& set) const;
     void begin(Session session);
     void keepAbsent(Session& session);
     void finishWhenComputed();
