@@ -279,7 +279,7 @@ private slots:
         QVERIFY(!watching.readAllStandardError().contains("cannot take"));
         // Rows of other settings are not of this table.
         watching.start(VYBEG_CLI, {"batch", "--watch", "inbox", "-o", "watched.csv", "--database",
-                                   "watched.db", "--quiet", "--resume", "--periods", "60"});
+                                   "watched.db", "--resume", "--periods", "60"});
         QVERIFY(watching.waitForStarted());
         QTRY_COMPARE_WITH_TIMEOUT(rows(), QByteArray("growing.wav last.wav z.wav"), 30000);
         ::kill(static_cast<pid_t>(watching.processId()), SIGTERM);

@@ -472,4 +472,101 @@ std::vector<PhaseStep> PhaseStepCheck::finish() {
     return std::move(found_);
 }
 
+std::int64_t least_still_frames(double f0_hz, double rate_hz) {
+    constexpr std::int64_t least = 16;
+    return std::max(least, static_cast<std::int64_t>(std::ceil(rate_hz / f0_hz)) + 1);
+}
+
+bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames) {
+    std::int64_t unmoved = 1;
+    for (std::size_t j = 1; j < c.size(); ++j) {
+        unmoved = c[j] == c[j - 1] && d[j] == d[j - 1] ? unmoved + 1 : 1;
+        if (unmoved >= frames) {
+            return true;
+        }
+    }
+    return false;
+}
+
+FillCheck::FillCheck(double f0_hz, double rate_hz)
+    : least_still_(least_still_frames(f0_hz, rate_hz)),
+      cos_w_(std::cos(2 * std::numbers::pi * f0_hz / rate_hz)) {}
+
+// Most portions have no two frames alike in succession, which their count tells fastest.
+void FillCheck::add(std::int64_t first_frame, std::span<const double> c,
+                    std::span<const double> d) {
+    opening_ = opening_ < 0 ? first_frame : opening_;
+    std::int64_t alike = c[0] == last_[0] && d[0] == last_[1] ? 1 : 0;
+    std::int64_t zeros = 0;
+    for (std::size_t j = 1; j < c.size(); ++j) {
+        alike += static_cast<std::int64_t>((c[j] == c[j - 1]) & (d[j] == d[j - 1]));
+        zeros += static_cast<std::int64_t>((c[j] == 0) & (d[j] == 0));
+    }
+    if (alike + zeros > 0) {
+        const auto [low_c, high_c] = std::ranges::minmax(c);
+        const auto [low_d, high_d] = std::ranges::minmax(d);
+        if (high_c - low_c > high_d - low_d) {
+            add_short(first_frame, c, d, low_c, high_c);
+        } else {
+            add_short(first_frame, d, c, low_d, high_d);
+        }
+    }
+    const std::size_t from = alike > 0 ? 0 : c.size() - 1;
+    for (std::size_t j = from; j < c.size(); ++j) {
+        if (alike > 0 && c[j] == last_[0] && d[j] == last_[1]) {
+            ++unmoved_.count;
+            continue;
+        }
+        close();
+        unmoved_ = {first_frame + static_cast<std::int64_t>(j), 1};
+        last_ = {c[j], d[j]};
+    }
+}
+
+// Of a sinusoid about its middle, x(j-1) + x(j+1) = 2 cos(w) x(j). The last frame of a fill counts.
+void FillCheck::add_short(std::int64_t first_frame, std::span<const double> x,
+                          std::span<const double> y, double low, double high) {
+    const double bound = 0.15 * (high - low);
+    const double of_middle = (1 - cos_w_) * (low + high);
+    const auto is_off = [&](std::size_t j) {
+        return std::abs(x[j - 1] + x[j + 1] - 2 * cos_w_ * x[j] - of_middle) > bound;
+    };
+    const auto repeats = [&](std::size_t j) { return x[j] == x[j - 1] && y[j] == y[j - 1]; };
+    const auto is_empty = [&](std::size_t j) { return x[j] == 0 && y[j] == 0; };
+    for (std::size_t j = 2; j + 2 < x.size(); ++j) {
+        const bool filled = (repeats(j) && !repeats(j + 1)) || (is_empty(j) && !is_empty(j + 1));
+        const bool at_rail = x[j] == low || x[j] == high;
+        if (filled && !at_rail && (is_off(j - 1) || is_off(j) || is_off(j + 1))) {
+            ++short_fills_;
+            const std::int64_t frame = first_frame + static_cast<std::int64_t>(j);
+            first_short_ = first_short_ < 0 ? frame : first_short_;
+        }
+    }
+}
+
+void FillCheck::close() {
+    if (unmoved_.count < least_still_) {
+        return;
+    }
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+        const auto count = static_cast<double>(unmoved_.count);
+        held_[k].sum += count * last_[k];
+        held_[k].squares += count * last_[k] * last_[k];
+        held_[k].count += unmoved_.count;
+    }
+    if (unmoved_.first == opening_) {
+        return;
+    }
+    still_frames_ += unmoved_.count;
+    if (++still_places_ <= static_cast<std::int64_t>(ClippingCheck::most_places)) {
+        still_.push_back(unmoved_);
+    }
+}
+
+std::vector<FrameRange> FillCheck::finish() {
+    close();
+    unmoved_ = {};
+    return std::move(still_);
+}
+
 }  // namespace vybeg

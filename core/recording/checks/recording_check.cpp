@@ -312,22 +312,6 @@ Extent extent_of(std::span<const double> x) {
 
 }  // namespace
 
-std::int64_t least_still_frames(double f0_hz, double rate_hz) {
-    constexpr std::int64_t least = 16;
-    return std::max(least, static_cast<std::int64_t>(std::ceil(rate_hz / f0_hz)) + 1);
-}
-
-bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames) {
-    std::int64_t unmoved = 1;
-    for (std::size_t j = 1; j < c.size(); ++j) {
-        unmoved = c[j] == c[j - 1] && d[j] == d[j - 1] ? unmoved + 1 : 1;
-        if (unmoved >= frames) {
-            return true;
-        }
-    }
-    return false;
-}
-
 void FaultCheck::ChannelSums::add(std::span<const double> x) {
     for (const double value : x) {
         if (std::isfinite(value)) {
@@ -344,8 +328,7 @@ double FaultCheck::ChannelSums::mean() const {
 
 FaultCheck::FaultCheck(std::optional<double> f0_hz, double rate_hz) : rate_hz_(rate_hz) {
     if (f0_hz) {
-        least_still_ = least_still_frames(*f0_hz, rate_hz);
-        cos_w_ = std::cos(2 * std::numbers::pi * *f0_hz / rate_hz);
+        fills_.emplace(*f0_hz, rate_hz);
         steps_.emplace(*f0_hz, rate_hz);
     }
 }
@@ -370,8 +353,8 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
     const std::array<std::span<const double>, 2> channels{c, d};
     const bool whole = extents[0].is_finite() && extents[1].is_finite();
     alike_ = alike_ && std::ranges::equal(c, d);
-    if (least_still_ > 0) {
-        add_still(first_frame, c, d);
+    if (fills_) {
+        fills_->add(first_frame, c, d);
     }
     for (std::size_t j = 0; !whole && j < c.size(); ++j) {
         const int missing = (std::isfinite(c[j]) ? 0 : 1) + (std::isfinite(d[j]) ? 0 : 1);
@@ -399,77 +382,6 @@ void FaultCheck::add_portion(std::int64_t first_frame, std::span<const double> c
     }
 }
 
-// Most portions have no two frames alike in succession, which their count tells fastest.
-void FaultCheck::add_still(std::int64_t first_frame, std::span<const double> c,
-                           std::span<const double> d) {
-    opening_ = opening_ < 0 ? first_frame : opening_;
-    std::int64_t alike = c[0] == last_[0] && d[0] == last_[1] ? 1 : 0;
-    std::int64_t zeros = 0;
-    for (std::size_t j = 1; j < c.size(); ++j) {
-        alike += static_cast<std::int64_t>((c[j] == c[j - 1]) & (d[j] == d[j - 1]));
-        zeros += static_cast<std::int64_t>((c[j] == 0) & (d[j] == 0));
-    }
-    if (alike + zeros > 0) {
-        const auto [low_c, high_c] = std::ranges::minmax(c);
-        const auto [low_d, high_d] = std::ranges::minmax(d);
-        if (high_c - low_c > high_d - low_d) {
-            add_filled(first_frame, c, d, low_c, high_c);
-        } else {
-            add_filled(first_frame, d, c, low_d, high_d);
-        }
-    }
-    const std::size_t from = alike > 0 ? 0 : c.size() - 1;
-    for (std::size_t j = from; j < c.size(); ++j) {
-        if (alike > 0 && c[j] == last_[0] && d[j] == last_[1]) {
-            ++unmoved_.count;
-            continue;
-        }
-        close_still();
-        unmoved_ = {first_frame + static_cast<std::int64_t>(j), 1};
-        last_ = {c[j], d[j]};
-    }
-}
-
-// Of a sinusoid about its middle, x(j-1) + x(j+1) = 2 cos(w) x(j). The last frame of a fill counts.
-void FaultCheck::add_filled(std::int64_t first_frame, std::span<const double> x,
-                            std::span<const double> y, double low, double high) {
-    const double bound = 0.15 * (high - low);
-    const double of_middle = (1 - cos_w_) * (low + high);
-    const auto is_off = [&](std::size_t j) {
-        return std::abs(x[j - 1] + x[j + 1] - 2 * cos_w_ * x[j] - of_middle) > bound;
-    };
-    const auto repeats = [&](std::size_t j) { return x[j] == x[j - 1] && y[j] == y[j - 1]; };
-    const auto is_empty = [&](std::size_t j) { return x[j] == 0 && y[j] == 0; };
-    for (std::size_t j = 2; j + 2 < x.size(); ++j) {
-        const bool filled = (repeats(j) && !repeats(j + 1)) || (is_empty(j) && !is_empty(j + 1));
-        const bool at_rail = x[j] == low || x[j] == high;
-        if (filled && !at_rail && (is_off(j - 1) || is_off(j) || is_off(j + 1))) {
-            ++filled_;
-            const std::int64_t frame = first_frame + static_cast<std::int64_t>(j);
-            first_filled_ = first_filled_ < 0 ? frame : first_filled_;
-        }
-    }
-}
-
-void FaultCheck::close_still() {
-    if (unmoved_.count < least_still_ || least_still_ == 0) {
-        return;
-    }
-    for (std::size_t k = 0; k < sums_.size(); ++k) {  // they are of no offset
-        const auto count = static_cast<double>(unmoved_.count);
-        sums_[k].sum -= count * last_[k];
-        sums_[k].squares -= count * last_[k] * last_[k];
-        sums_[k].valid -= unmoved_.count;
-    }
-    if (unmoved_.first == opening_) {
-        return;
-    }
-    still_frames_ += unmoved_.count;
-    if (++still_places_ <= static_cast<std::int64_t>(ClippingCheck::most_places)) {
-        still_.push_back(unmoved_);
-    }
-}
-
 SampleFaults FaultCheck::finish() {
     SampleFaults faults;
     if (missing_ > 0) {
@@ -484,26 +396,8 @@ SampleFaults FaultCheck::finish() {
     report_rails(clipping_[0], channel_names[0], faults);
     report_rails(clipping_[1], channel_names[1], faults);
     std::ranges::sort(faults.clipped, {}, &FrameRange::first);
-    close_still();
-    const auto moves = [](const ClippingCheck& channel) { return channel.levels() > 2; };
-    if (!still_.empty() && std::ranges::any_of(clipping_, moves)) {
-        const std::int64_t first = still_.front().first;
-        faults.findings.push_back({DiagnosticKind::samples_still,
-                                   {count_arg(still_places_), count_arg(still_frames_),
-                                    number_arg(static_cast<double>(first) / rate_hz_, 9)},
-                                   first,
-                                   still_frames_});
-        faults.still = std::move(still_);
-    }
-    constexpr std::int64_t few = 10;
-    constexpr std::int64_t one_of = 1000;
-    const std::int64_t frames = std::max(sums_[0].valid, sums_[1].valid);
-    if (filled_ > few && filled_ > frames / one_of) {
-        faults.findings.push_back(
-            {DiagnosticKind::samples_filled,
-             {count_arg(filled_), number_arg(static_cast<double>(first_filled_) / rate_hz_, 9)},
-             first_filled_,
-             filled_});
+    if (fills_) {
+        report_fills(*fills_, faults);
     }
     if (steps_) {
         faults.steps = steps_->finish();
@@ -512,10 +406,47 @@ SampleFaults FaultCheck::finish() {
     return faults;
 }
 
+void FaultCheck::report_fills(FillCheck& fills, SampleFaults& faults) const {
+    const auto moves = [](const ClippingCheck& channel) { return channel.levels() > 2; };
+    std::vector<FrameRange> still = fills.finish();
+    if (!still.empty() && std::ranges::any_of(clipping_, moves)) {
+        const std::int64_t first = still.front().first;
+        faults.findings.push_back(
+            {DiagnosticKind::samples_still,
+             {count_arg(fills.still_places()), count_arg(fills.still_frames()),
+              number_arg(static_cast<double>(first) / rate_hz_, 9)},
+             first,
+             fills.still_frames()});
+        faults.still = std::move(still);
+    }
+    constexpr std::int64_t few = 10;
+    constexpr std::int64_t one_of = 1000;
+    const std::int64_t frames = std::max(sums_[0].valid, sums_[1].valid);
+    if (fills.short_fills() > few && fills.short_fills() > frames / one_of) {
+        faults.findings.push_back(
+            {DiagnosticKind::samples_filled,
+             {count_arg(fills.short_fills()),
+              number_arg(static_cast<double>(fills.first_short()) / rate_hz_, 9)},
+             fills.first_short(),
+             fills.short_fills()});
+    }
+}
+
+std::array<FaultCheck::ChannelSums, 2> FaultCheck::moving() const {
+    std::array<ChannelSums, 2> moving = sums_;
+    for (std::size_t k = 0; fills_ && k < moving.size(); ++k) {
+        const FillCheck::Sums& held = fills_->held()[k];
+        moving[k].sum -= held.sum;
+        moving[k].squares -= held.squares;
+        moving[k].valid -= held.count;
+    }
+    return moving;
+}
+
 double FaultCheck::power() const {
     double power = 0;
     double of_means = 0;
-    for (const ChannelSums& channel : sums_) {
+    for (const ChannelSums& channel : moving()) {
         const double mean = channel.mean();
         of_means += mean * mean;
         power += channel.valid > 0
@@ -534,8 +465,9 @@ std::vector<Diagnostic> FaultCheck::offsets() const {
         return {};
     }
     std::vector<Diagnostic> findings;
-    for (std::size_t i = 0; i < sums_.size(); ++i) {
-        const double offset = sums_[i].mean();
+    const auto sums = moving();
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const double offset = sums[i].mean();
         if (std::abs(offset) > small_offset * amplitude) {
             findings.push_back({DiagnosticKind::offset,
                                 {channel_names[i], number_arg(offset),

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,17 +43,7 @@ struct SampleFaults {
     std::vector<PhaseStep> steps;      // lost and doubled samples, in order
 };
 
-// Frames of the shortest range that stands still: a period of the carrier, 16 at least.
-std::int64_t least_still_frames(double f0_hz, double rate_hz);
-
-// Whether no channel moves over so many frames.
-bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames);
-
-// Finds missing samples, clipping, lost samples, and ranges that stand still: a recorder or a
-// decoder fills lost samples with zeros or with the last one; what stands still from the first
-// frame on is the silence before the wave. Shorter fills are told where one frame of a thousand
-// repeats the one before, or is zero in both channels, and lies off the sinusoid through its
-// neighbours. All in one pass.
+// Finds missing, clipped, lost and filled samples in one pass.
 class FaultCheck {
 public:
     // Without a carrier it does not search for lost or still samples.
@@ -81,11 +70,10 @@ private:
 
     void add_portion(std::int64_t first_frame, std::span<const double> c,
                      std::span<const double> d);
-    void add_still(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
-    void close_still();
-    // `low`, `high`: values of x, the larger channel.
-    void add_filled(std::int64_t first_frame, std::span<const double> x, std::span<const double> y,
-                    double low, double high);
+
+    void report_fills(FillCheck& fills, SampleFaults& faults) const;
+    // The sums without what stands still.
+    std::array<ChannelSums, 2> moving() const;
 
     double rate_hz_;
     std::array<ChannelSums, 2> sums_;
@@ -94,18 +82,7 @@ private:
     std::int64_t first_missing_ = -1;
     std::array<ClippingCheck, 2> clipping_;
     bool alike_ = true;  // channels, sample by sample
-    std::int64_t least_still_ = 0;
-    std::array<double, 2> last_{
-        std::numeric_limits<double>::quiet_NaN(),
-        std::numeric_limits<double>::quiet_NaN()};  // sample of each channel
-    std::int64_t opening_ = -1;                     // the first frame
-    FrameRange unmoved_;  // the frames before the next that are like the last
-    std::vector<FrameRange> still_;
-    std::int64_t still_frames_ = 0;  // also of those beyond ClippingCheck::most_places
-    std::int64_t still_places_ = 0;
-    double cos_w_ = 0;         // of the carrier from sample to sample
-    std::int64_t filled_ = 0;  // single frames that do not fit those beside them
-    std::int64_t first_filled_ = -1;
+    std::optional<FillCheck> fills_;
     std::optional<PhaseStepCheck> steps_;
 };
 
