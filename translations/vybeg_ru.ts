@@ -1572,8 +1572,12 @@
         <translation>Канал %1 ограничен: на пределе шкалы (%3) отсчётов: %2. Окна с ними помечены.</translation>
     </message>
     <message>
-        <source>The angle of %1 jumps by %2 degrees at %3 s, as where the controller&apos;s reference was set anew or a row is false (places: %4). The stretches between the jumps are fitted apart.</source>
-        <translation>Угол в %1 скачком меняется на %2° при %3 с, как при новой установке опоры регулятора или ложной строке (мест: %4). Отрезки между скачками подобраны отдельно.</translation>
+        <source>The angle of %1 jumps by %2 degrees at %3 s (places: %4). A false row is left out; where the controller&apos;s reference was set anew, the harmonics mix two angles: give each part as a log of its own.</source>
+        <translation>Угол в %1 скачком меняется на %2° при %3 с (мест: %4). Ложная строка отброшена; если опора регулятора установлена заново, гармоники смешивают два угла: дайте каждую часть отдельным журналом.</translation>
+    </message>
+    <message>
+        <source>The angle of %1 is written in steps of %2 degrees, coarse beside its turn from row to row, %3 degrees: the harmonics may be wrong by several of their deviations. Write more digits.</source>
+        <translation>Угол в %1 записан с шагом %2°, грубым рядом с его поворотом от строки к строке, %3°: гармоники могут ошибаться на несколько СКО. Записывайте больше цифр.</translation>
     </message>
     <message>
         <source>By their own times the sample rate of channel D is %1 ppm above that of channel C; D was interpolated to C&apos;s times. Where both have one clock, their times are wrong, and so is the phase between the channels.</source>

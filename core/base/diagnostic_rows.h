@@ -191,10 +191,16 @@ ROW(turn_one_way, warning,
         "Gain ratio and non-orthogonality of the channels within their tolerance give a wave that "
         "turns a fourth harmonic of %1, which u holds. A log of the opposite turn tells it from "
         "the drift{; a smaller tolerance (--tolerance kappa=...,skew=...) lowers u}."))
-ROW(angle_jumps, warning,
-    Sentence::tr("The angle of %1 jumps by %2 degrees at %3 s, as where the controller's reference "
-                 "was set anew or a row is false (places: %4). The stretches between the jumps are "
-                 "fitted apart."))
+ROW(angle_jumps, serious,
+    Sentence::tr(
+        "The angle of %1 jumps by %2 degrees at %3 s (places: %4). A false row is left out; "
+        "where the controller's reference was set anew, the harmonics mix two angles: give "
+        "each part as a log of its own."))
+ROW(angle_coarse, serious,
+    Sentence::tr(
+        "The angle of %1 is written in steps of %2 degrees, coarse beside its turn from row "
+        "to row, %3 degrees: the harmonics may be wrong by several of their deviations. "
+        "Write more digits."))
 ROW(angle_of_quarter, warning,
     Sentence::tr("%1 wraps its angle at 90 degrees: the sign of the second harmonic is that of its "
                  "first quarter of a turn."))

@@ -310,7 +310,7 @@ Result<LogDrift> log_drift(const WholeAngleLog& log, const JobControl& job) {
                    log.time_s.back() - log.time_s.front(),
                    angle.turn,
                    angle.period,
-                   angle.jumps,
+                   angle.warnings,
                    fit.rows(),
                    log.time_s.size() - fit.rows(),
                    fit.effort(log.amplitude_effort),

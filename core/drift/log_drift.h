@@ -42,11 +42,11 @@ struct LogBin {
 struct LogDrift : ColouredFit {
     std::string name;
     double seconds = 0;
-    double turn = 0;                       // rad
-    double period = 0;                     // of its angle, as UnwrappedAngle::period
-    std::optional<Diagnostic> jumps = {};  // likewise
-    std::size_t rows = 0;                  // with an angle
-    std::size_t missing = 0;               // rows without
+    double turn = 0;                        // rad
+    double period = 0;                      // of its angle, as UnwrappedAngle::period
+    std::vector<Diagnostic> warnings = {};  // likewise
+    std::size_t rows = 0;                   // with an angle
+    std::size_t missing = 0;                // rows without
     // The efforts of the controller against the angle: mean, c2, s2, c4, s4 in their unit.
     std::optional<ColouredFit> amplitude;
     std::optional<ColouredFit> quadrature;

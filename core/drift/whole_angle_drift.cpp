@@ -388,9 +388,9 @@ Result<WholeAngleDrift> whole_angle_drift(std::span<const WholeAngleLog> logs,
         if (drift.period == quarter) {
             found.warnings.push_back({DiagnosticKind::angle_of_quarter, {log.name}});
         }
-        if (drift.jumps) {
-            found.warnings.push_back(*drift.jumps);
-            found.warnings.back().args.insert(found.warnings.back().args.begin(), log.name);
+        for (Diagnostic warning : std::exchange(drift.warnings, {})) {
+            warning.args.insert(warning.args.begin(), log.name);
+            found.warnings.push_back(std::move(warning));
         }
         found.logs.push_back(std::move(drift));
         job.report(static_cast<double>(found.logs.size()) / static_cast<double>(logs.size()));

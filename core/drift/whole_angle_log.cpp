@@ -74,6 +74,36 @@ Usual usual_of(const WholeAngleLog& log) {
     return usual;
 }
 
+// Relative error of a turn that is told from the usual rate alone: twice the spread of the rates of
+// ten parts of the log.
+double uncertainty_of_turn(const WholeAngleLog& log, const Usual& usual) {
+    constexpr double least = 0.02;
+    constexpr double most = 0.2;
+    constexpr std::size_t parts = 10;
+    std::array<double, parts> turns{};
+    std::array<double, parts> seconds{};
+    for (std::size_t k = 1; k < usual.rows.size(); ++k) {
+        const std::size_t at = usual.rows[k];
+        const std::size_t before = usual.rows[k - 1];
+        const double step = log.time_s[at] - log.time_s[before];
+        if (step > 0 && step <= 1.5 * usual.step_s) {
+            const std::size_t part = k * parts / usual.rows.size();
+            turns[part] += usual.turn_between(log.theta[before], log.theta[at]);
+            seconds[part] += step;
+        }
+    }
+    double low = usual.rate;
+    double high = usual.rate;
+    for (std::size_t part = 0; part < parts; ++part) {
+        if (seconds[part] > 0) {
+            low = std::min(low, turns[part] / seconds[part]);
+            high = std::max(high, turns[part] / seconds[part]);
+        }
+    }
+    return usual.rate == 0 ? most
+                           : std::clamp(2 * (high - low) / std::abs(usual.rate), least, most);
+}
+
 struct Jumps {
     double period = 0;   // by which neighbours jump most often; 0: they do not
     bool often = false;  // between every other row: the wave turns too fast for its rows
@@ -141,6 +171,31 @@ bool is_period(double angle) {
     });
 }
 
+// The step in which the angles are written, rad, where nearly all second differences are whole
+// multiples of it; 0: there is none.
+double step_of_digits(const UnwrappedAngle& angle) {
+    constexpr double rounding = 1e-9;
+    std::vector<double> bends;
+    for (const AngleStretch& stretch : angle.stretches) {
+        for (std::size_t k = 2; k < stretch.theta.size(); ++k) {
+            bends.push_back(
+                std::abs(stretch.theta[k] - 2 * stretch.theta[k - 1] + stretch.theta[k - 2]));
+        }
+    }
+    std::vector<double> moving;
+    std::ranges::copy_if(bends, std::back_inserter(moving),
+                         [](double bend) { return bend > rounding; });
+    if (moving.empty()) {
+        return 0;
+    }
+    const double digit = std::ranges::min(moving);
+    const auto fits = std::ranges::count_if(moving, [digit](double bend) {
+        return std::abs(std::remainder(bend, digit)) < 0.05 * digit + rounding;
+    });
+    const bool few = std::ranges::max(moving) < 1000 * digit;
+    return few && 10 * fits > 9 * std::ssize(moving) ? digit : 0;
+}
+
 // Ends a stretch where the angle goes on by far more than it does between other rows: at a new
 // reference of the controller, or on either side of a false row, which is left out.
 void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
@@ -167,16 +222,8 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
         sizes.begin() + static_cast<std::ptrdiff_t>(most * static_cast<double>(sizes.size()));
     std::ranges::nth_element(sizes, high);
     // Of an angle of few digits one digit is no jump.
-    constexpr double rounding = 1e-9;
-    double digit = std::numeric_limits<double>::infinity();
-    for (const AngleStretch& stretch : angle.stretches) {
-        for (std::size_t k = 1; k < stretch.theta.size(); ++k) {
-            const double step = std::abs(stretch.theta[k] - stretch.theta[k - 1]);
-            digit = step > rounding ? std::min(digit, step) : digit;
-        }
-    }
-    const double limit = std::max(
-        {beyond_most * *high, 4 * digit, deviations * normal * median(std::vector(sizes))});
+    const double limit = std::max({beyond_most * *high, 4 * step_of_digits(angle),
+                                   deviations * normal * median(std::vector(sizes))});
     std::vector<AngleStretch> cut;
     std::int64_t jumps = 0;
     for (AngleStretch& stretch : angle.stretches) {
@@ -192,9 +239,9 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
                 const double jump = beyond(stretch, k);
                 constexpr double degree = std::numbers::pi / 180;
                 if (jumps++ == 0) {
-                    angle.jumps = {
-                        DiagnosticKind::angle_jumps,
-                        {number_arg(jump / degree, 3), number_arg(stretch.time_s[k], 7)}};
+                    angle.warnings.push_back(
+                        {DiagnosticKind::angle_jumps,
+                         {number_arg(jump / degree, 3), number_arg(stretch.time_s[k], 7)}});
                 }
                 if (cut.back().rows.size() == 1) {
                     cut.pop_back();
@@ -207,7 +254,7 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
         }
     }
     if (jumps > 0) {
-        angle.jumps->args.push_back(count_arg(jumps));
+        angle.warnings.back().args.push_back(count_arg(jumps));
         angle.stretches = std::move(cut);
     }
 }
@@ -232,7 +279,7 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
     const double back = period_in_its_unit(log, usual);
     found.odd_period = is_period(back) ? 0 : back;
     // How well the turn of a gap is known from the usual rate.
-    constexpr double unsure = 0.2;
+    const double unsure = uncertainty_of_turn(log, usual);
     for (const std::size_t row : usual.rows) {
         double theta = log.theta[row];
         bool goes_on = false;
@@ -259,6 +306,14 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
         stretch.theta.push_back(theta);
     }
     cut_at_jumps(usual, found);
+    constexpr double coarse = 0.2;
+    const double digit = step_of_digits(found);
+    const double turn = std::abs(usual.rate) * usual.step_s;
+    if (digit > coarse * turn && turn > 0) {
+        constexpr double degree = std::numbers::pi / 180;
+        found.warnings.push_back({DiagnosticKind::angle_coarse,
+                                  {number_arg(digit / degree, 2), number_arg(turn / degree, 2)}});
+    }
     for (const AngleStretch& stretch : found.stretches) {
         const auto [least, most] = std::ranges::minmax(stretch.theta);
         found.turn = std::max(found.turn, most - least);

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,8 +40,8 @@ struct UnwrappedAngle {
     double turn = 0;
     // A wrapped angle goes on by an eighth of a turn or more from row to row: how far is unknown.
     bool too_fast = false;
-    // angle_jumps, where a stretch ends for that; without the log's name.
-    std::optional<Diagnostic> jumps = {};
+    // angle_jumps, where a stretch ends for that, and angle_coarse; without the log's name.
+    std::vector<Diagnostic> warnings = {};
     // By which the angle comes back, rad, where it wraps at no quarter, half or whole turn: its
     // unit is another one. 0: it does not.
     double odd_period = 0;

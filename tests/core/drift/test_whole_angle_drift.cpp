@@ -133,7 +133,10 @@ private slots:
             coarse.time_s.push_back(0.1 * k);
             coarse.theta.push_back(std::round(0.0012 * 0.1 * k / 0.01) * 0.01 * pi / 180);
         }
-        QVERIFY(!unwrapped_angle(coarse).jumps);
+        const UnwrappedAngle rounded = unwrapped_angle(coarse);
+        QCOMPARE(rounded.warnings.size(), std::size_t{1});
+        QVERIFY(rounded.warnings[0].kind == DiagnosticKind::angle_coarse);
+        QCOMPARE(english(rounded.warnings[0].args[0]), std::string("0.01"));
         // A wave that stands still at the end is none.
         HeldLoop loop = loop_of();
         WholeAngleLog log = simulated_log(loop);
