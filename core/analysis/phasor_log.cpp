@@ -251,20 +251,21 @@ Status refer(const LogFile& file, const LogColumn* frequency, const LogColumn* p
              double carrier_hz, LogRows& rows) {
     const PhasorChoice& how = file.choice.phasors;
     rows.f_ref_hz = how.f_ref_hz;
-    if (how.frame == PhasorFrame::fixed && frequency != nullptr) {
+    if (how.frame != PhasorFrame::common && frequency != nullptr) {
         const auto [least, most] = range_of(*frequency);
         constexpr double harmless_turns = 0.01;
-        if ((most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns) {
+        const bool moves =
+            (most - least) * (rows.time_s.back() - rows.time_s.front()) > harmless_turns;
+        if (moves && how.frame == PhasorFrame::fixed) {
             return wrong_choice(
                 how, Phrase::tr("the oscillator's frequency moves from %1 to %2 (column %3), so "
                                 "that the reference is not fixed: choose --phasors common",
                                 {number_arg(least, 10, "Hz"), number_arg(most, 10, "Hz"),
                                  frequency->name}));
         }
-    }
-    if (how.frame == PhasorFrame::fixed && frequency != nullptr && how.f_ref_hz > 0 &&
-        is_another(median(frequency->values), how.f_ref_hz)) {
-        return another_reference(how, *frequency);
+        if (!moves && how.f_ref_hz > 0 && is_another(median(frequency->values), how.f_ref_hz)) {
+            return another_reference(how, *frequency);
+        }
     }
     if (how.frame == PhasorFrame::common && frequency == nullptr && phase == nullptr) {
         return wrong_choice(how, Phrase::tr("it needs the column of the oscillator's frequency or "

@@ -484,6 +484,13 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
     std::vector<double> c(frames);
     std::vector<double> d(frames);
     TRY(source.read(0, c, d));
+    // A channel that begins later, or is interpolated, lacks the first ones.
+    std::size_t first = 0;
+    while (first < frames && !std::isfinite(c[first] + d[first])) {
+        ++first;
+    }
+    c.erase(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(first));
+    d.erase(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(first));
     std::vector<Diagnostic> findings;
     for (const MainsLine& line : f0_hz ? mains_lines(c, d, rate_hz) : std::vector<MainsLine>()) {
         findings.push_back(
@@ -541,7 +548,10 @@ void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnosti
     const bool gaps_known = std::ranges::any_of(diagnostics, [](const Diagnostic& known) {
         return known.kind == DiagnosticKind::missing_samples ||
                known.kind == DiagnosticKind::time_gap ||
-               known.kind == DiagnosticKind::gaps_inserted;
+               known.kind == DiagnosticKind::gaps_inserted ||
+               // Whose ends no interpolation reaches.
+               known.kind == DiagnosticKind::channel_delayed ||
+               known.kind == DiagnosticKind::channel_clocks_apart;
     });
     std::ranges::copy_if(findings, std::back_inserter(diagnostics), [&](const Diagnostic& found) {
         return found.kind != DiagnosticKind::missing_samples || !gaps_known;
