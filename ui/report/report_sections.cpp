@@ -330,12 +330,21 @@ QString settingsSection(const ReportContent& content) {
     return heading(ReportWords::tr("Analyses and their settings")) + html(table);
 }
 
+// A name that leaves the heading of a page of figures on one line: with a second one the figure
+// does not fit below it. The recordings' table has it whole.
+QString inOneLine(const QString& name) {
+    constexpr qsizetype most = 34;
+    return name.size() <= most ? name
+                               : name.left(most / 2) + QChar(0x2026) + name.right(most / 2 - 1);
+}
+
 QString plotsSection(const ReportContent& content) {
     QString text;
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         const auto is_of = [k](const ReportAnalysis& analysis) { return analysis.recording == k; };
         if (std::ranges::any_of(content.analyses, is_of)) {
-            text += heading(ReportWords::tr("Slow variables: %1").arg(content.recordings[k].name),
+            text += heading(ReportWords::tr("Slow variables: %1")
+                                .arg(inOneLine(content.recordings[k].name)),
                             true) +
                     figureHtml(plotsName(content, k));
         }

@@ -336,6 +336,26 @@ private slots:
         QVERIFY2(head.contains(QChar(0x2026)) && head.size() < 200, qPrintable(head));
     }
 
+    // A heading of two lines pushed the figure off its page.
+    void figures_of_a_recording_with_a_long_name_stay_below_their_heading() {
+        openAll({home_.recording("a_recording_of_the_second_balancing_step_at_45_degrees.wav")});
+        const ReportContent content =
+            reportContentOf(document(), reportSubjects(document()).front());
+        const QString path = home_.path("long.pdf");
+        write({content}, path);
+        int pages = 0;
+        for (int page = 1; page < 12; ++page) {
+            const QString number = QString::number(page);
+            const QString text =
+                output("pdftotext", {"-layout", "-f", number, "-l", number, path, "-"});
+            if (text.contains("Slow variables: a_recording")) {
+                ++pages;
+                QVERIFY2(text.contains(QChar(0x2026)) && text.contains("t, s"), qPrintable(text));
+            }
+        }
+        QCOMPARE(pages, 1);
+    }
+
     void a_set_that_was_refused_has_its_reason() {
         const QString run = home_.recording("run_1.wav");
         QVERIFY(QFile::copy(run, home_.path("copy.wav")));
