@@ -85,8 +85,13 @@ TracksPage::TracksPage(Document& document, QWidget* parent)
 
 void TracksPage::showAnalyses() {
     std::vector<ShownAnalysis> analyses = document_.plottedAnalyses();
+    const auto of_ledger = static_cast<std::ptrdiff_t>(analyses.size());
     std::ranges::copy(log_tracks_.shown(), std::back_inserter(analyses));
-    const int unlike = drawnWith(chosen_, analyses);
+    int unlike = drawnWith(chosen_, analyses);
+    // Logs, which the ledger does not name, are not missed there.
+    unlike -=
+        static_cast<int>(std::count_if(analyses.begin() + of_ledger, analyses.end(),
+                                       [](const ShownAnalysis& log) { return !log.visible; }));
     tracks_->setAnalyses(std::move(analyses), unlike);
     nameLogs();
 }
