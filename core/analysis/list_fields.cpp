@@ -118,7 +118,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> other_na
     {"file", "recording файл запись"},
     {"least", "min minimum мин минимум не-менее"},
     {"greatest", "max maximum макс максимум не-более"},
-    {"gyro-type", "тип тип-гироскопа"},
+    {"gyro-type", "gyrotype тип тип-гироскопа"},
     {"set", "набор"},
     {"date", "дата"},
     {"exchanged", "перестановка перестановка-усилителей"},

@@ -29,6 +29,7 @@ struct SetTask {
     std::string new_passport;  // file of the set's own passport; empty: none
     std::optional<std::vector<ParameterLimit>> limits;  // none: the table has no limits
     std::string key;                                    // of its row
+    std::optional<Error> fault = {};                    // why it cannot be computed
 };
 
 // A row that is safe on the disk.

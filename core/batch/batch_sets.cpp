@@ -189,7 +189,8 @@ std::set<std::string> kept_keys(const std::vector<SetTask>& tasks, const RowJour
                                 bool with_files) {
     const auto is_there = [](const std::string* file) {
         std::error_code unknown;
-        return file->empty() || fs::exists(*file, unknown);
+        return file->empty() ||
+               (fs::is_regular_file(*file, unknown) && fs::file_size(*file, unknown) > 0);
     };
     std::map<std::string, const SetTask*> by_name;
     for (const SetTask& task : tasks) {
@@ -388,8 +389,9 @@ Result<std::vector<SetTask>> tasks_of(const BatchRequest& request, const Measure
             *file = path.string();
         }
         if (!request.limits.empty()) {
-            const auto type = TRY(gyro_type_of(set));
-            task.limits = limits_of_type(limits, type);
+            const Result<std::string> type = gyro_type_of(set);
+            task.limits = type ? limits_of_type(limits, *type) : std::vector<ParameterLimit>();
+            task.fault = type ? std::nullopt : std::optional(type.error());
         }
         tasks.push_back(std::move(task));
     }

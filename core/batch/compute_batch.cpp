@@ -424,6 +424,10 @@ private:
         }
 
         void finish(const SetTask& task) {
+            if (task.fault) {
+                add_failure(task, *task.fault, {});
+                return;
+            }
             const JobControl job(halt_.get_token(), {}, batch_.events_.clock);
             Result<OpenSet> open =
                 open_set(with_threads(*task.set), task.passport, halt_.get_token());

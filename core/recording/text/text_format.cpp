@@ -382,7 +382,7 @@ RecordingFormat format_of(const TextFormat& format) {
 namespace {
 
 constexpr std::size_t head_bytes = std::size_t{1} << 18;  // kept on each side of the first row
-constexpr std::size_t counted_comment = 4096;             // of it, bytes
+constexpr std::size_t comment_share = 32;                 // of the bytes of comments count
 constexpr std::int64_t lines_between_looks = 4096;        // at the stop token
 
 // Whether commas separate both columns and decimals: "0,000030,1,234500,0,678900". Integers have no
@@ -488,7 +488,7 @@ Result<TextHead> read_text_head(std::shared_ptr<const FileBytes> file,
         }
         // However long a comment is, the rows below it count.
         const bool is_remark = is_comment(*line, ',');
-        bytes += (is_remark ? std::min(line->size(), counted_comment) : line->size()) + 1;
+        bytes += (is_remark ? line->size() / comment_share : line->size()) + 1;
         head.lines.emplace_back(*line);
     }
     return head;

@@ -295,11 +295,15 @@ private slots:
         QCOMPARE(ignored->args, std::vector<MessageArg>{"2"});
     }
 
-    void the_length_of_a_comment_above_the_rows_does_not_count() {
+    void the_length_of_comments_above_the_rows_does_not_count() {
         const Folder folder;
+        std::string remarks;
+        for (int k = 0; k < 20000; ++k) {
+            remarks += "# remark number " + std::to_string(k) + " of the recorder\n";
+        }
         const Recording recording =
-            opened(folder.write("run", "# " + std::string(300000, 'x') +
-                                           "\nC,D\n1,2\n3,4\n5,6\n7,8\n9,10\n"),
+            opened(folder.write("run", "# " + std::string(300000, 'x') + "\n" + remarks +
+                                           "C,D\n1,2\n3,4\n5,6\n7,8\n9,10\n"),
                    at_1000_hz());
         QCOMPARE(read_all(recording).c, (std::vector<double>{1, 3, 5, 7, 9}));
         QCOMPARE(recording.channels[1].name, std::string("D"));
