@@ -306,17 +306,18 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
         stretch.theta.push_back(theta);
     }
     cut_at_jumps(usual, found);
-    constexpr double coarse = 0.2;
-    const double digit = step_of_digits(found);
-    const double turn = std::abs(usual.rate) * usual.step_s;
-    if (digit > coarse * turn && turn > 0) {
-        constexpr double degree = std::numbers::pi / 180;
-        found.warnings.push_back({DiagnosticKind::angle_coarse,
-                                  {number_arg(digit / degree, 2), number_arg(turn / degree, 2)}});
-    }
     for (const AngleStretch& stretch : found.stretches) {
         const auto [least, most] = std::ranges::minmax(stretch.theta);
         found.turn = std::max(found.turn, most - least);
+    }
+    constexpr double coarse = 0.2;
+    const double digit = step_of_digits(found);
+    const double turn =
+        found.turn / static_cast<double>(std::max<std::size_t>(usual.rows.size(), 1));
+    if (digit > coarse * turn) {
+        constexpr double degree = std::numbers::pi / 180;
+        found.warnings.push_back({DiagnosticKind::angle_coarse,
+                                  {number_arg(digit / degree, 2), number_arg(turn / degree, 2)}});
     }
     return found;
 }
