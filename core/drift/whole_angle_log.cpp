@@ -172,7 +172,7 @@ bool is_period(double angle) {
 }
 
 // The step in which the angles are written, rad, where nearly all second differences are whole
-// multiples of it; 0: there is none.
+// multiples of it, and few of them; 0: there is none.
 double step_of_digits(const UnwrappedAngle& angle) {
     constexpr double rounding = 1e-9;
     std::vector<double> bends;
@@ -193,7 +193,10 @@ double step_of_digits(const UnwrappedAngle& angle) {
         return std::abs(std::remainder(bend, digit)) < 0.05 * digit + rounding;
     });
     const bool few = std::ranges::max(moving) < 1000 * digit;
-    return few && 10 * fits > 9 * std::ssize(moving) ? digit : 0;
+    // Noise of a digit or more makes the steps harmless.
+    const double mean =
+        std::accumulate(bends.begin(), bends.end(), 0.0) / static_cast<double>(bends.size());
+    return few && mean < 1.2 * digit && 10 * fits > 9 * std::ssize(moving) ? digit : 0;
 }
 
 // Ends a stretch where the angle goes on by far more than it does between other rows: at a new
