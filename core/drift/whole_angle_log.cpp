@@ -172,7 +172,7 @@ bool is_period(double angle) {
 }
 
 // The step in which the angles are written, rad, where nearly all second differences are whole
-// multiples of it, and few of them; 0: there is none.
+// multiples of it, and small ones; 0: there is none.
 double step_of_digits(const UnwrappedAngle& angle) {
     constexpr double rounding = 1e-9;
     std::vector<double> bends;
