@@ -4,8 +4,8 @@
 #include "core/recording/envelope/envelope.h"
 #include "core/residuals/signal_curves.h"
 #include "ui/plots/plot_file.h"
-#include "ui/plots/time_panel.h"
 #include "ui/plots/time_gestures.h"
+#include "ui/plots/time_panel.h"
 #include "ui/values/curve_data.h"
 #include "ui/widgets/theme.h"
 
