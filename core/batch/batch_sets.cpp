@@ -16,7 +16,6 @@
 #include <climits>
 #include <filesystem>
 #include <map>
-#include <ranges>
 #include <set>
 #include <span>
 #include <sys/stat.h>
@@ -199,25 +198,25 @@ std::set<std::string> kept_keys(const std::vector<SetTask>& tasks, const RowJour
     std::set<std::string> kept;
     std::set<std::string> seen;
     std::set<std::string> of_others;
-    for (const RowJournal::Row& row : std::views::reverse(journal.rows())) {
-        const BatchRow fields = csv_fields(row.text);
+    for (auto row = journal.rows().rbegin(); row != journal.rows().rend(); ++row) {
+        const BatchRow fields = csv_fields(row->text);
         const auto found = by_name.find(field_of(fields, "set"));
         bool is_free = true;
-        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
-            const std::string file(part.begin(), part.end());
+        for (const std::string_view part : parts_between(field_of(fields, "files"), ';')) {
+            const std::string file(part);
             is_free = is_free && !of_others.contains(file);
             if (found == by_name.end()) {
                 of_others.insert(file);
             }
         }
         if (found == by_name.end() || !seen.insert(found->first).second ||
-            row.key != found->second->key || !is_free) {
+            row->key != found->second->key || !is_free) {
             continue;
         }
         const SetTask& task = *found->second;
         if (!with_files || field_of(fields, "status") != "ok" ||
             std::ranges::all_of(std::array{&task.json, &task.new_passport}, is_there)) {
-            kept.insert(row.key);
+            kept.insert(row->key);
         }
     }
     return kept;
@@ -235,14 +234,14 @@ std::vector<std::string> rows_of_left_sets(const std::vector<SetTask>& tasks,
         }
     }
     std::vector<std::string> rows;
-    for (const auto& [key, row] : std::views::reverse(journal.rows())) {
-        if (!key.starts_with(request)) {
+    for (auto row = journal.rows().rbegin(); row != journal.rows().rend(); ++row) {
+        if (!row->key.starts_with(request)) {
             continue;
         }
-        BatchRow fields = csv_fields(row);
+        BatchRow fields = csv_fields(row->text);
         bool known = !sets.insert(field_of(fields, "set")).second;
-        for (const auto part : std::views::split(field_of(fields, "files"), ';')) {
-            known = !files.insert(std::string(part.begin(), part.end())).second || known;
+        for (const std::string_view part : parts_between(field_of(fields, "files"), ';')) {
+            known = !files.emplace(part).second || known;
         }
         if (known) {
             continue;

@@ -30,7 +30,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <stop_token>
 #include <string>

@@ -11,7 +11,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <ranges>
 
 namespace vybeg::ui {
 
@@ -97,10 +96,10 @@ void MessageBar::showRows() {
         shown.push_back(row.widget);
     }
     for (const MessageLevel level : {MessageLevel::warning, MessageLevel::error}) {
-        for (const Row& row : rows_ | std::views::drop(1) | std::views::reverse) {
-            if (shown.size() > most_messages && row.message.severity == level &&
-                !row.message.until_answered) {
-                std::erase(shown, row.widget);
+        for (auto row = rows_.rbegin(); row + 1 < rows_.rend(); ++row) {  // all but the first
+            if (shown.size() > most_messages && row->message.severity == level &&
+                !row->message.until_answered) {
+                std::erase(shown, row->widget);
                 ++waiting;
             }
         }

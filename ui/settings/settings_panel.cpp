@@ -17,7 +17,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <ranges>
 
 namespace vybeg::ui {
 
@@ -171,10 +170,10 @@ void SettingsPanel::unfold() {
     for (const Group& group : groups_) {
         room += group.folds && group.section->isOpen() ? height(group) : 0;
     }
-    for (const Group& group : groups_ | std::views::reverse) {
-        if (group.folds) {
-            group.section->setOpen(height(group) <= room);
-            room -= group.section->isOpen() ? height(group) : 0;
+    for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
+        if (group->folds) {
+            group->section->setOpen(height(*group) <= room);
+            room -= group->section->isOpen() ? height(*group) : 0;
         }
     }
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 namespace vybeg {
@@ -101,8 +100,8 @@ constexpr std::array prefixes{
 
 // Whether a word is one of a list with blanks between them.
 bool is_listed(std::string_view word, std::string_view list) {
-    return std::ranges::any_of(std::views::split(list, ' '),
-                               [word](const auto& each) { return std::ranges::equal(each, word); });
+    const auto words = parts_between(list, ' ');
+    return std::ranges::find(words, word) != words.end();
 }
 
 struct Scaled {
