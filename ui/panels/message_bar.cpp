@@ -96,7 +96,7 @@ void MessageBar::showRows() {
         shown.push_back(row.widget);
     }
     for (const MessageLevel level : {MessageLevel::warning, MessageLevel::error}) {
-        for (auto row = rows_.rbegin(); row + 1 < rows_.rend(); ++row) {  // all but the first
+        for (auto row = rows_.rbegin(); row != rows_.rend() && row + 1 != rows_.rend(); ++row) {
             if (shown.size() > most_messages && row->message.severity == level &&
                 !row->message.until_answered) {
                 std::erase(shown, row->widget);
