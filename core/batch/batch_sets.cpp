@@ -421,15 +421,14 @@ Status check_paths(const BatchRequest& request, const std::vector<SetTask>& task
     }
     for (const auto& [option, folder] :
          {std::pair{"--json", &request.json}, {"--passports-out", &request.new_passports}}) {
-        const auto is_one = [folder](const std::string& file) {
-            return !file.empty() &&
-                   fs::path(*folder).lexically_normal() == fs::path(file).lexically_normal();
-        };
         if (*folder == "-") {
             return refused_value(option, *folder, Phrase::tr("it must be a folder"));
         }
-        if (is_one(request.output) || is_one(request.database)) {
-            return refused_value(option, *folder, by_table);
+        for (const std::string& file : {request.output, request.database}) {
+            if (!file.empty() &&
+                fs::path(*folder).lexically_normal() == fs::path(file).lexically_normal()) {
+                return refused_value(option, *folder, by_table);
+            }
         }
     }
     // Many results and many inputs: by device and inode instead of pair by pair.

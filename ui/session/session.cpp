@@ -207,7 +207,7 @@ Status readListed(const QJsonObject& json, std::size_t recordings, const QDir& f
     }
     for (const auto& [place, row] : rows) {
         auto signal = TRY(settingsFromJson(identify_settings(), row[signal_key].toObject()));
-        listed.settings.of_recordings.push_back(std::move(signal.signal));
+        listed.settings.of_recordings.push_back(signal.signal);
         listed.recordings.push_back(rowFromJson(row, json[columns_key].toArray(), folder));
         listed.recordings.back().id = number(idAt(place, recordings));
     }
@@ -242,7 +242,7 @@ QJsonObject analysisToJson(const AnalysisEntry& analysis) {
 Result<AnalysisEntry> analysisFromJson(const QJsonObject& json) {
     auto settings = TRY(analysisSettingsFromJson(json));
     AnalysisEntry analysis;
-    analysis.requested = std::move(settings);
+    analysis.requested = settings;
     analysis.shown.color = QColor(json[color_key].toString());
     analysis.place = 0;
     describe(JsonReader(json), analysis);
