@@ -563,7 +563,7 @@ QString misplacedKey(const QJsonObject& json) {
 Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     auto settings = TRY(analysisSettingsFromJson(json));
     Session session;
-    session.settings = std::move(settings);
+    session.settings = settings;
     IdentifySettings tolerance;
     TRY(readIdentify("tolerance", json[tolerance_key], tolerance));
     session.tolerance = tolerance.tolerance;
