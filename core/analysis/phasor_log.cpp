@@ -232,7 +232,7 @@ Error another_reference(const PhasorChoice& how, const LogColumn& frequency) {
                          number_arg(how.f_ref_hz, 10, "Hz")}));
 }
 
-// Channels whose references differ have a phase to each other that nothing tells.
+// Refuses channels with different references: the phase between them is unknown.
 Status check_references(const PhasorChoice& how, const LogColumn* of_c, const LogColumn* of_d) {
     if (how.frame == PhasorFrame::common || of_c == nullptr || of_d == nullptr ||
         !is_another(median(of_d->values), median(of_c->values))) {

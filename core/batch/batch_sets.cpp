@@ -180,7 +180,7 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
 }
 
 const std::string& field_of(const BatchRow& fields, const std::string& column) {
-    const std::vector<std::string> names = batch_columns(true);
+    static const std::vector<std::string> names = batch_columns(true);
     return fields.at(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
 }
 

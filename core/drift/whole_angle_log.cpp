@@ -19,6 +19,7 @@ namespace vybeg {
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
+constexpr double degree = std::numbers::pi / 180;
 
 // Rows with an angle, and what two neighbours among them usually have between them.
 struct Usual {
@@ -74,8 +75,8 @@ Usual usual_of(const WholeAngleLog& log) {
     return usual;
 }
 
-// Relative error of a turn that is told from the usual rate alone: twice the spread of the rates of
-// ten parts of the log.
+// Relative uncertainty of a turn computed from the usual rate alone: twice the spread of the rates
+// of ten parts of the log.
 double uncertainty_of_turn(const WholeAngleLog& log, const Usual& usual) {
     constexpr double least = 0.02;
     constexpr double most = 0.2;
@@ -240,7 +241,6 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
                                       (k > 2 && is_far(k - 1) && is_far(k - 2));
             if (is_far(k) && !another_rate) {
                 const double jump = beyond(stretch, k);
-                constexpr double degree = std::numbers::pi / 180;
                 if (jumps++ == 0) {
                     angle.warnings.push_back(
                         {DiagnosticKind::angle_jumps,
@@ -318,7 +318,6 @@ UnwrappedAngle unwrapped_angle(const WholeAngleLog& log) {
     const double turn =
         found.turn / static_cast<double>(std::max<std::size_t>(usual.rows.size(), 1));
     if (digit > coarse * turn) {
-        constexpr double degree = std::numbers::pi / 180;
         found.warnings.push_back({DiagnosticKind::angle_coarse,
                                   {number_arg(digit / degree, 2), number_arg(turn / degree, 2)}});
     }

@@ -492,7 +492,7 @@ FillCheck::FillCheck(double f0_hz, double rate_hz)
     : least_still_(least_still_frames(f0_hz, rate_hz)),
       cos_w_(std::cos(2 * std::numbers::pi * f0_hz / rate_hz)) {}
 
-// Most portions have no two frames alike in succession, which their count tells fastest.
+// Counts equal neighbours first: most portions have none.
 void FillCheck::add(std::int64_t first_frame, std::span<const double> c,
                     std::span<const double> d) {
     opening_ = opening_ < 0 ? first_frame : opening_;
