@@ -39,7 +39,7 @@ QString madeText(const QString& program, QDate made) {
     return QStringLiteral("%1, %2").arg(dateText(made.toString(Qt::ISODate)), program);
 }
 
-// Stands in the table of all sets for the page of a chapter, which the layout tells.
+// Placeholder in the table of all sets: the layout puts the number of a chapter's page there.
 QString chapterMark(int number) {
     return QStringLiteral("⟦%1⟧").arg(number);
 }

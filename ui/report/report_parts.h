@@ -77,7 +77,7 @@ std::vector<ReportFigure> drawnFigures(const ReportContent& content);
 // Why a content has no identification.
 QString absenceText(const ReportContent& content);
 
-// What a report tells of one set or recording.
+// Parts of the chapter of one set or recording.
 
 // `made`: when and by which program, a last row; empty: none.
 QString titleBlock(const ReportTitle& title, const QString& made);
