@@ -2498,10 +2498,6 @@
         <translation>Параметры, ± СКО (u: с допусками)</translation>
     </message>
     <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <translation>Пределы</translation>
     </message>
@@ -3322,6 +3318,18 @@
     <message>
         <source>Spread</source>
         <translation>Разброс</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значение</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Пределы</translation>
+    </message>
+    <message>
+        <source>Since the passport</source>
+        <translation>Отличие от паспорта</translation>
     </message>
 </context>
 <context>
@@ -7255,14 +7263,6 @@
     <message>
         <source>Resonator</source>
         <translation>Резонатор</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Значение</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Пределы</translation>
     </message>
     <message>
         <source>Ctrl+C copies the table</source>

@@ -87,6 +87,18 @@ QTableWidgetItem* WindowTest::cellOf(const QString& table, const QString& name, 
     return nullptr;
 }
 
+QTableWidgetItem* WindowTest::cellOf(const QString& table, const QString& name,
+                                     const QString& header) {
+    const auto& rows = the<QuantityTable>(table);
+    for (int column = 1; column < rows.columnCount(); ++column) {
+        const QTableWidgetItem* head = rows.horizontalHeaderItem(column);
+        if (head && head->text() == header) {
+            return cellOf(table, name, column);
+        }
+    }
+    return nullptr;
+}
+
 bool dropFiles(QWidget& target, const QStringList& paths) {
     QMimeData data;
     QList<QUrl> urls;

@@ -67,6 +67,8 @@ protected:
     void openRuns(const QStringList& files);
     // A cell of a QuantityTable, in a row by the beginning of its name; null without the row.
     QTableWidgetItem* cellOf(const QString& table, const QString& name, int column);
+    // The same in the column of that header; null: it has none.
+    QTableWidgetItem* cellOf(const QString& table, const QString& name, const QString& header);
 
     GuiTestHome home_;
     std::unique_ptr<MainWindow> window_;

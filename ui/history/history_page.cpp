@@ -271,6 +271,16 @@ void HistoryPage::showHistory() {
     values_.shown.plot.y_range = wholeRange(now, values_.shown.plot);
     ranges_.shown = rangesPlot(now);
     average_.shown = averagePlot(now);
+    // One axis for all three, but for the frequency, where the lower two are sequences. These are
+    // low and have no legend: dashed are limits, as above.
+    for (Chart* below : {&ranges_, &average_}) {
+        XYPlot& plot = below->shown.plot;
+        if (now.axis != HistoryAxis::frequency) {
+            plot.x_range = shownPlaces(values_.shown.plot);
+        }
+        std::ranges::for_each(plot.series, [](XYSeries& series) { series.name.clear(); });
+    }
+    ranges_.shown.plot.x_below = true;
     for (const Chart* chart : {&values_, &ranges_, &average_}) {
         chart->plot->setContent(chart->shown.plot);
         chart->plot->setPickable(0);
@@ -434,7 +444,8 @@ namespace {
 
 // At least, pixels.
 constexpr int values_height = 240;
-constexpr int charts_height = 190;
+constexpr int ranges_height = 96;
+constexpr int average_height = 128;
 constexpr int distribution_width = 220;
 
 }  // namespace
@@ -459,14 +470,24 @@ QWidget* HistoryPage::buildContent() {
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
     values_.plot = addPlot("historyValues", values_height);
-    ranges_.plot = addPlot("historyRanges", charts_height);
-    average_.plot = addPlot("historyAverage", charts_height);
+    ranges_.plot = addPlot("historyRanges", ranges_height);
+    average_.plot = addPlot("historyAverage", average_height);
     distribution_ = addPlot("historyDistribution", values_height);
     distribution_->setFixedWidth(distribution_width);
-    auto* chosen = fill(new QHBoxLayout, {{point_, 1}, {recordings_, 0, Qt::AlignTop}});
-    auto* values = fill(new QHBoxLayout, {}, 4, {{values_.plot, 1}, distribution_});
-    auto* charts = fill(new QHBoxLayout, {}, 4, {{ranges_.plot, 1}, {average_.plot, 1}});
-    fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {verdict_, {values, 3}, chosen, {charts, 2}});
+    // The charts over each other, on one axis; beside them the distribution and the chosen result.
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
+    grid->addWidget(values_.plot, 0, 0);
+    grid->addWidget(distribution_, 0, 1);
+    grid->addWidget(ranges_.plot, 1, 0);
+    grid->addWidget(average_.plot, 2, 0);
+    grid->addLayout(fill(new QVBoxLayout, {point_, {recordings_, 0, Qt::AlignLeft}, LayoutPart(1)}),
+                    1, 1, 2, 1);
+    grid->setColumnStretch(0, 1);
+    for (const auto& [row, share] : {std::pair(0, 6), std::pair(1, 2), std::pair(2, 2)}) {
+        grid->setRowStretch(row, share);
+    }
+    fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {verdict_, {grid, 1}});
     return content;
 }
 

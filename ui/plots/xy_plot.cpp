@@ -18,6 +18,7 @@ namespace {
 
 constexpr int head_height = 21;
 constexpr int foot_height = 40;
+constexpr int bare_foot_height = 8;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
 constexpr int legend_height = 22;
@@ -58,6 +59,10 @@ AxisRange rangeOf(const XYPlot& content, bool of_y) {
     return {low - spare, high + spare};
 }
 
+int footOf(const XYPlot& content) {
+    return content.x_below ? bare_foot_height : foot_height;
+}
+
 QCPAxis::AxisType sideOf(const XYPlot& content, bool y) {
     return y == content.turned ? QCPAxis::atBottom : QCPAxis::atLeft;
 }
@@ -66,7 +71,7 @@ QCPAxis::AxisType sideOf(const XYPlot& content, bool y) {
 class XYPanel : public FramedPanel {
 public:
     XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, QSize room)
-        : FramedPanel(plot, {left_margin, head_height, right_margin, foot_height}),
+        : FramedPanel(plot, {left_margin, head_height, right_margin, footOf(content)}),
           content_(content) {
         setExpectedSize(room);
         setLook(theme, plotFont(*plot));
@@ -74,6 +79,9 @@ public:
             side->grid()->setVisible(!content.series.empty());
             side->setTicks(!content.series.empty());
             side->setTickLabels(!content.series.empty());
+        }
+        if (content.x_below) {
+            axis(sideOf(content, false))->setTickLabels(false);
         }
         ticker(sideOf(content, false))
             .setSteps(content.x_in_degrees ? TickSteps::degrees : TickSteps::decimal);
@@ -90,7 +98,9 @@ protected:
         if (content_.series.empty()) {
             drawEmpty(*painter, content_.empty);
         }
-        nameSide(*painter, false);
+        if (!content_.x_below) {
+            nameSide(*painter, false);
+        }
         nameSide(*painter, true);
     }
 
@@ -103,7 +113,7 @@ private:
     // ISO dates, which read the same in every language; with the time where days are too coarse.
     void showDates() {
         constexpr int label_width = 140;  // the ticker takes up to half as many more
-        const AxisRange range = content_.x_range.value_or(rangeOf(content_, false));
+        const AxisRange range = shownPlaces(content_);
         const QSharedPointer<QCPAxisTickerDateTime> dates(new QCPAxisTickerDateTime);
         dates->setDateTimeSpec(Qt::UTC);
         dates->setDateTimeFormat(range.span() > 3 * day_s ? QStringLiteral("yyyy-MM-dd")
@@ -270,7 +280,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
         plot.plotLayout()->addElement(row++, 0, new PlotStrip(&plot, legend_height));
     }
     const QSize room(size.width() - left_margin - right_margin,
-                     size.height() - head_height - foot_height - row * legend_height);
+                     size.height() - head_height - footOf(content) - row * legend_height);
     auto* panel = new XYPanel(&plot, content, theme, room);
     plot.plotLayout()->addElement(row, 0, panel);
     const Axes axes{panel->axis(sideOf(content, false)), panel->axis(sideOf(content, true))};
@@ -282,10 +292,14 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
             addLine(plot, axes, series, pen);
         }
     }
-    const AxisRange x = content.x_range.value_or(rangeOf(content, false));
+    const AxisRange x = shownPlaces(content);
     const AxisRange y = shownValues(content);
     axes.first->setRange(x.lower, x.upper);
     axes.second->setRange(y.lower, y.upper);
+}
+
+AxisRange shownPlaces(const XYPlot& content) {
+    return content.x_range.value_or(rangeOf(content, false));
 }
 
 AxisRange shownValues(const XYPlot& content) {

@@ -51,6 +51,7 @@ struct XYPlot {
     bool x_is_date = false;              // seconds since 1970, UTC
     bool x_logarithmic = false;          // values at and below 0 are not drawn
     std::optional<AxisRange> x_range{};  // otherwise the range of the series
+    bool x_below = false;                // the plot below has the same x axis and names it
     QString y_name{};
     QString y_unit{};
     bool y_takes_prefix = false;
@@ -62,7 +63,8 @@ struct XYPlot {
     QString empty{};  // text shown without series
 };
 
-// The range of y that is shown.
+// The ranges of x and y that are shown.
+AxisRange shownPlaces(const XYPlot& content);
 AxisRange shownValues(const XYPlot& content);
 
 // Replaces the content of a plot of size `size`.

@@ -231,10 +231,10 @@ QString resonatorSection(const ReportContent& content) {
     const bool structured = found.fit.model == ResonatorModel::structured;
     const QString parameters =
         ReportWords::tr("Parameters, ± standard deviation (u: with the tolerances)");
-    const QStringList columns{ReportWords::tr("Value"), ReportWords::tr("Limits")};
-    text +=
-        part(parameters, quantityTables(content.limits.empty() ? QStringList() : columns,
-                                        resonatorRows(found, content.units, content.limits), 2));
+    QStringList columns = resonatorHeaders();
+    auto rows = resonatorRows(found, content.units, content.limits);
+    dropEmptyColumns(columns, rows);
+    text += part(parameters, quantityTables(columns, rows, columns.size()));
     text += part(ReportWords::tr("Modes"), quantityTables({}, modeRows(found.fit), 1));
     text += budget(found, content.units) + sensitivities(found, content.units);
     if (structured) {

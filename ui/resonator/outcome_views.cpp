@@ -41,8 +41,9 @@ QStringList markedNames(const SetResult& outcome) {
 
 }  // namespace
 
-NumbersView::NumbersView(QWidget* parent)
+NumbersView::NumbersView(Document& document, QWidget* parent)
     : OutcomeView(parent),
+      document_(document),
       warnings_(withName(new WarningList(this), "warnings")),
       resonator_(withName(new QuantityTable(this), "resonator")),
       statistical_(sentence(this, "statistical")),
@@ -65,16 +66,13 @@ NumbersView::NumbersView(QWidget* parent)
     modes_tab_ = addTab(modes_);
     sensitivities_tab_ = addTab(sensitivities_);
     fill(new QVBoxLayout(this), {}, 2, {warnings_, resonator_, statistical_, {tabs_, 1}});
+    connect(&document_.sets(), &SetStore::passportChanged, this, &NumbersView::showAgain);
+    connect(&document_.dossier(), &DossierModel::changed, this, &NumbersView::showAgain);
     retranslate();
 }
 
 int NumbersView::addTab(QWidget* content) {
     return tabs_->addTab(scrolled(fill(new QVBoxLayout, {content, LayoutPart(1)})), QString());
-}
-
-void NumbersView::setLimits(const std::vector<ParameterLimit>& limits) {
-    limits_ = limits;
-    showAgain();
 }
 
 void NumbersView::showAgain() {
@@ -98,11 +96,12 @@ void NumbersView::showAgain() {
         return !run.wave.f_hz.given() || std::isfinite(run.wave.f_hz.value);
     });
     waves_->setVisible(has_motion);
-    const auto rows = resonatorRows(found, units(), limits_, theme());
-    const QStringList headers{tr("Value"), tr("Limits")};
+    auto rows = resonatorRows(found, units(), document_.dossier().dossier().limits,
+                              document_.sets().differences(), theme());
+    QStringList headers = resonatorHeaders();
+    dropEmptyColumns(headers, rows);
     const bool structured = !rows.empty();
-    resonator_->setContent(structured && !limits_.empty() ? headers : QStringList(),
-                           structured ? rows : modeRows(found.fit));
+    resonator_->setContent(headers, structured ? rows : modeRows(found.fit));
     tabs_->setTabVisible(modes_tab_, structured);
     const QString offer = calibrationOffers(foundCalibration(found));
     statistical_->setText(offer.isEmpty()

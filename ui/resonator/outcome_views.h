@@ -37,15 +37,15 @@ protected:
     std::shared_ptr<const SetResult> shown_;
 };
 
-// The parameters of the resonator, of the free model its modes, with what their uncertainties hold;
-// below them, a tab each, tables of what they follow from.
+// The parameters of the resonator, with their limits and their change since the open passport, of
+// the free model its modes, with what their uncertainties hold; below them, a tab each, tables of
+// what they follow from.
 class NumbersView : public OutcomeView {
     Q_OBJECT
 
 public:
-    explicit NumbersView(QWidget* parent = nullptr);
+    explicit NumbersView(Document& document, QWidget* parent = nullptr);
 
-    void setLimits(const std::vector<ParameterLimit>& limits);
     // A further tab, which scrolls; its title is tabs()->setTabText().
     int addTab(QWidget* content);
     QTabWidget* tabs() const { return tabs_; }
@@ -60,7 +60,7 @@ private:
     void retranslate() override;
     static QString modesTitle(const ResonatorFit& fit);
 
-    std::vector<ParameterLimit> limits_;
+    Document& document_;
     WarningList* warnings_;
     QuantityTable* resonator_;
     QLabel* statistical_;

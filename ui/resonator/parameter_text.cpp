@@ -183,12 +183,16 @@ QString verdictWord(Verdict verdict) {
 }
 
 // Sign, word and an Okabe-Ito colour are redundant.
-QuantityCell verdictCell(const Difference& difference, const Theme& theme) {
-    const Verdict verdict = difference.verdict;
-    const QColor color = verdict == Verdict::unchanged ? readable(QColor("#009e73"), theme)
-                         : verdict == Verdict::changed ? readable(QColor("#d55e00"), theme)
-                                                       : theme.mutedText;
-    return {verdictText(verdict), {verdictWord(verdict)}, color};
+QColor verdictColor(Verdict verdict, const Theme& theme) {
+    return verdict == Verdict::unchanged ? readable(QColor("#009e73"), theme)
+           : verdict == Verdict::changed ? readable(QColor("#d55e00"), theme)
+                                         : theme.mutedText;
+}
+
+QString verdictSign(Verdict verdict) {
+    return verdict == Verdict::unchanged ? QStringLiteral("= ")
+           : verdict == Verdict::changed ? QStringLiteral("≠ ")
+                                         : QStringLiteral("? ");
 }
 
 QString whyText(const Difference& difference) {
@@ -205,10 +209,17 @@ QString whyText(const Difference& difference) {
 }  // namespace
 
 QString verdictText(Verdict verdict) {
-    const char* const sign = verdict == Verdict::unchanged ? "= "
-                             : verdict == Verdict::changed ? "≠ "
-                                                           : "? ";
-    return QString::fromUtf8(sign) + verdictWord(verdict);
+    return verdictSign(verdict) + verdictWord(verdict);
+}
+
+QuantityCell changeCell(const Difference& difference, double factor, const Theme& theme) {
+    const Verdict verdict = difference.verdict;
+    const bool known = verdict != Verdict::not_comparable;
+    return {
+        known ? verdictSign(verdict) + valueText(factor * difference.change, factor * difference.u)
+              : QString(),
+        {known ? exactText(factor * difference.change) : QString()},
+        verdictColor(verdict, theme)};
 }
 
 QString differenceSymbol(const std::string& name) {
@@ -260,10 +271,14 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
                                       {}};
         const double factor = shown.factor;
         const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
-        rows.push_back(rowOf(
-            shown,
-            {verdictCell(difference, theme), deviations, change, relativeCell(difference.relative),
-             sideCell(difference.then, factor), sideCell(difference.now, factor)}));
+        rows.push_back(rowOf(shown, {{verdictText(difference.verdict),
+                                      {verdictWord(difference.verdict)},
+                                      verdictColor(difference.verdict, theme)},
+                                     deviations,
+                                     change,
+                                     relativeCell(difference.relative),
+                                     sideCell(difference.then, factor),
+                                     sideCell(difference.now, factor)}));
     }
     return rows;
 }

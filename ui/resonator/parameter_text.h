@@ -31,6 +31,8 @@ QuantityCell valueCell(double value, double sd,
 QuantityCell sentenceCell(const QString& text);
 // The value, or the reason for its absence.
 QuantityCell cellOf(const Estimate& estimate, double factor = 1);
+// "≠ +0.8 ± 0.1": a change since the passport, its sign and colour those of the verdict.
+QuantityCell changeCell(const Difference& difference, double factor, const Theme& theme);
 QuantityRow rowOf(const Shown& shown, std::vector<QuantityCell> cells = {});
 
 // Displayed unit and factor of angles (rad) and of their rates (rad/s).

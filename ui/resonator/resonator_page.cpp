@@ -20,7 +20,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       document_(document),
       set_(new SetPanel(document, this)),
       state_(sentence(this, "state")),
-      numbers_(withPart(new NumbersView(this))),
+      numbers_(withPart(new NumbersView(document, this))),
       figures_(withPart(new FiguresView(this))),
       comparison_(withPart(new ComparisonView(document, this))) {
     balance_tab_ = numbers_->addTab(figures_->balance());
@@ -40,8 +40,6 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
     connect(&document_, &Document::busyChanged, this,
             [this] { showState(document_.sets().current()); });
-    connect(&document_.dossier(), &DossierModel::changed, this,
-            [this] { numbers_->setLimits(document_.dossier().dossier().limits); });
     connect(&document_.sets(), &SetStore::passportChanged, this, &ResonatorPage::showTabs);
     guardFromWheel(*this);
     retranslate();

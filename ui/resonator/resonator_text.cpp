@@ -113,14 +113,14 @@ std::vector<Changes> allChanges(const Identification& found, const DisplayUnits&
     return columns;
 }
 
-// "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour. Nothing without
-// any limits.
-void addLimit(QuantityRow& row, const ResonatorParameter& parameter, const Estimate& estimate,
-              const std::vector<ParameterLimit>& limits, double factor, const Theme& theme) {
+// "✓ ≤ 0.001": a limit and whether the parameter keeps it, by a sign and a colour; without a limit
+// empty.
+QuantityCell limitCell(const ResonatorParameter& parameter, const Estimate& estimate,
+                       const std::vector<ParameterLimit>& limits, double factor,
+                       const Theme& theme) {
     const ParameterLimit* limit = limit_of(limits, parameter.name);
     if (!limit) {
-        row.cells.resize(limits.empty() ? 1 : 2, QuantityCell{{}, {QString()}, {}});
-        return;
+        return {{}, {QString()}, {}};
     }
     struct Look {
         const char* sign;
@@ -136,7 +136,7 @@ void addLimit(QuantityRow& row, const ResonatorParameter& parameter, const Estim
     }
     const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, *limit)));
     text.prepend(QString::fromUtf8(look.sign));
-    row.cells.push_back({text, {text}, look.color});
+    return {text, {text}, look.color};
 }
 
 // One row with the reason if the modes are not separated.
@@ -158,18 +158,41 @@ std::vector<QuantityRow> rowsOfModes(const ResonatorFit& fit, const Cell& cell) 
 
 }  // namespace
 
+QStringList resonatorHeaders() {
+    return {ResonatorWords::tr("Value"), QStringLiteral("u"), ResonatorWords::tr("Limits"),
+            ResonatorWords::tr("Since the passport")};
+}
+
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
                                        const std::vector<ParameterLimit>& limits,
+                                       const std::vector<Difference>& differences,
                                        const Theme& theme) {
     std::vector<QuantityRow> rows;
     if (found.fit.model == ResonatorModel::free) {
         return rows;
     }
+    const bool any_u =
+        std::ranges::any_of(resonator_parameters, [&found](const ResonatorParameter& parameter) {
+            const Estimate& estimate = found.fit.resonator.*parameter.member;
+            return estimate.given() && estimate.uncertainty() > estimate.sd;
+        });
     for (const ResonatorParameter& parameter : resonator_parameters) {
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
+        const double factor = shown.factor;
         const Estimate& estimate = found.fit.resonator.*parameter.member;
-        rows.push_back(rowOf(shown, {cellOf(estimate, shown.factor)}));
-        addLimit(rows.back(), parameter, estimate, limits, shown.factor, theme);
+        QuantityCell value = cellOf(estimate, factor);
+        QuantityCell u;
+        if (estimate.given()) {
+            value.text = valueText(factor * estimate.value, factor * estimate.sd);
+            u.text = any_u ? uncertaintyLabel(factor * estimate.value, factor * estimate.sd,
+                                              factor * estimate.u)
+                           : QString();
+        }
+        const auto change = std::ranges::find(differences, parameter.name, &Difference::name);
+        rows.push_back(
+            rowOf(shown, {value, u, limitCell(parameter, estimate, limits, factor, theme),
+                          change == differences.end() ? QuantityCell{{}, {QString()}, {}}
+                                                      : changeCell(*change, factor, theme)}));
     }
     collapseRepeatedReasons(rows);
     return rows;
@@ -194,7 +217,10 @@ std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUn
         }
         const Shown shown = shownAs(parameter.name, parameter.unit, units);
         rows.push_back(rowOf(shown, {expanded(estimate, shown.factor)}));
-        addLimit(rows.back(), parameter, estimate, limits, shown.factor, lightTheme());
+        if (!limits.empty()) {
+            rows.back().cells.push_back(
+                limitCell(parameter, estimate, limits, shown.factor, lightTheme()));
+        }
     }
     return rows;
 }

@@ -24,13 +24,15 @@ QStringList conditionsText(const RecordingRef& recording);
 
 // Motion of the wave, one column per recording.
 std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units);
-// One column with the value, and where there are limits a second one with them; empty for the free
-// model.
+// Columns of the value, of u where it differs from the standard deviation, of the limit and of the
+// change since a passport, some without any text; no rows for the free model.
+QStringList resonatorHeaders();
 std::vector<QuantityRow> resonatorRows(const Identification& found, const DisplayUnits& units,
                                        const std::vector<ParameterLimit>& limits = {},
+                                       const std::vector<Difference>& differences = {},
                                        const Theme& theme = lightTheme());
 // What is given, of the free model its modes, with the expanded uncertainty U = 2u; a parameter
-// with limits is there without a value, too. Columns as above.
+// with limits is there without a value, too. Where there are limits, a second column has them.
 std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUnits& units,
                                     const std::vector<ParameterLimit>& limits);
 // Titles of the parameters that the recordings do not show.

@@ -103,6 +103,18 @@ QuantityCell measuredCell(double value, double sd, const QColor& color) {
         valueText(value, sd), {cellNumber(value), cellNumber(sd)}, color, conciseText(value, sd)};
 }
 
+void dropEmptyColumns(QStringList& headers, std::vector<QuantityRow>& rows) {
+    for (auto k = static_cast<std::size_t>(headers.size()); k-- > 0;) {
+        if (std::ranges::all_of(
+                rows, [k](const QuantityRow& row) { return row.cells[k].text.isEmpty(); })) {
+            headers.removeAt(static_cast<qsizetype>(k));
+            for (QuantityRow& row : rows) {
+                row.cells.erase(row.cells.begin() + static_cast<std::ptrdiff_t>(k));
+            }
+        }
+    }
+}
+
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
     setItemDelegate(new WrappingDelegate(this));
     verticalHeader()->hide();
@@ -134,6 +146,7 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     rows_ = rows;
     concise_ = false;
     clear();
+    clearSpans();
     setRowCount(static_cast<int>(rows.size()));
     setAlternatingRowColors(rows.size() > 5);
     setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
@@ -156,6 +169,16 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
             }
             setItem(row, static_cast<int>(k) + 1, item);
         }
+        for (std::size_t k = 0; k < from.cells.size(); ++k) {
+            std::size_t end = k + 1;
+            while (end < from.cells.size() && from.cells[end].text.isEmpty()) {
+                ++end;
+            }
+            const bool sentence = !from.cells[k].text.isEmpty() && from.cells[k].concise.isEmpty();
+            if (sentence && end > k + 1) {
+                setSpan(row, static_cast<int>(k) + 1, 1, static_cast<int>(end - k));
+            }
+        }
     }
     layOut();
 }
@@ -166,7 +189,7 @@ QString QuantityTable::tableText() const {
     for (int column = 0; column < headers_.size() && !rows_.empty(); ++column) {
         const QStringList all{headers_[column], tr("sd"), tr("u")};
         const auto& exact = rows_.front().cells[static_cast<std::size_t>(column)].exact;
-        head << all.mid(0, std::max(qsizetype(1), exact.size()));
+        head << all.mid(0, exact.size());
     }
     if (headers_.isEmpty()) {
         head << tr("value") << tr("sd") << tr("u");
@@ -189,6 +212,11 @@ void QuantityTable::showHeaders(const QStringList& headers) {
     }
 }
 
+// Columns that a cell takes; an empty one beside a sentence has none of its own.
+int QuantityTable::spanOf(int row, int column) const {
+    return item(row, column)->text().isEmpty() ? 1 : columnSpan(row, column);
+}
+
 // Width of a column in which no word breaks.
 int QuantityTable::leastWidth(int column) const {
     int width = 0;
@@ -199,7 +227,7 @@ int QuantityTable::leastWidth(int column) const {
     }
     for (int row = 0; row < rowCount(); ++row) {
         for (const QString& word : unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
-            width = std::max(width, widthFor(word, font()) + 2);
+            width = std::max(width, (widthFor(word, font()) + 2) / spanOf(row, column));
         }
     }
     return width;
@@ -238,8 +266,10 @@ void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t fir
 int QuantityTable::heightOf(int row, const std::vector<int>& widths) const {
     int height = 0;
     for (std::size_t k = 0; k < widths.size(); ++k) {
-        const QString text = item(row, static_cast<int>(k))->text();
-        height = std::max(height, heightFor(text, font(), widths[k]));
+        const int column = static_cast<int>(k);
+        const auto from = widths.begin() + column;
+        const int width = std::accumulate(from, from + spanOf(row, column), 0);
+        height = std::max(height, heightFor(item(row, column)->text(), font(), width));
     }
     return height;
 }
@@ -276,7 +306,7 @@ std::vector<int> QuantityTable::wishes(bool wrapped) const {
         }
         for (int row = 0; row < rowCount(); ++row) {
             const QString text = item(row, column)->text();
-            const int wish = widthFor(text, font());
+            const int wish = widthFor(text, font()) / spanOf(row, column);
             const std::size_t k = static_cast<std::size_t>(column) - 1;
             const bool number =
                 column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();

@@ -12,8 +12,8 @@ namespace vybeg::ui {
 // A cell: displayed text, and text for a spreadsheet with all digits.
 struct QuantityCell {
     QString text;
-    // Value, standard deviation and combined uncertainty, or one text; the same number of texts in
-    // all rows of a column.
+    // Value, standard deviation and combined uncertainty, or one text, or none where another cell
+    // has it; the same number of texts in all rows of a column.
     QStringList exact;
     QColor color;          // of the text; invalid: the usual one
     QString concise = {};  // a number where there is no room for the text: "5300.012(7)"
@@ -30,7 +30,11 @@ struct QuantityRow {
     std::vector<QuantityCell> cells;
 };
 
-// Quantities with their names and units, a row each. Where they have no room, numbers become
+// Takes out the columns without a text in any row, and their headers.
+void dropEmptyColumns(QStringList& headers, std::vector<QuantityRow>& rows);
+
+// Quantities with their names and units, a row each. A sentence has the room of the empty cells
+// beside it. Where they have no room, numbers become
 // concise, with the whole of them as tooltips; sentences are wrapped. As high as its rows, for use
 // in a scroll area. Ctrl+C copies it as tab-separated text.
 class QuantityTable : public QTableWidget {
@@ -58,6 +62,7 @@ private:
     std::vector<int> wishes(bool wrapped) const;
     void place(const std::vector<int>& widths, int room);
     void showHeaders(const QStringList& headers);
+    int spanOf(int row, int column) const;
     int leastWidth(int column) const;
     int headerHeight(const std::vector<int>& widths) const;
     void narrow(std::vector<int>& widths, int excess, std::size_t first);

@@ -207,6 +207,13 @@ QString valueText(double value, double sd, double u) {
     return textOf(quantity_text(value, sd, u));
 }
 
+QString uncertaintyLabel(double value, double sd, double u) {
+    const QuantityText quantity = quantity_text(value, sd, u);
+    const bool own = !quantity.u.empty();
+    return textOf(
+        {own ? quantity.u : quantity.sd, {}, own ? quantity.u_exponent : quantity.exponent});
+}
+
 QString exactText(double value) {
     return std::isnan(value) ? QString()
                              : QLocale().toString(value, 'g', QLocale::FloatingPointShortest);

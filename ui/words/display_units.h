@@ -92,7 +92,9 @@ QString noiseText(double sd);
 // minus and digits in groups; "—" for NaN. With a combined uncertainty behind it where that
 // differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u = std::numeric_limits<double>::quiet_NaN());
-// The same, shorter: the deviation in units of the value's last digit, "0.9987(12)".
+// The combined uncertainty by itself, in the digits it has in valueText(): "0.0003".
+QString uncertaintyLabel(double value, double sd, double u);
+// The same as valueText(), shorter: the deviation in units of the value's last digit, "0.9987(12)".
 QString conciseText(double value, double sd);
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
 QString exactText(double value);

@@ -203,9 +203,16 @@ private slots:
         VYBEG_CLOSE(found.split_hz.value, truth.split_hz, 4 * found.split_hz.sd);
         VYBEG_CLOSE(found.theta_w_rad.value, truth.theta_w, 4 * found.theta_w_rad.sd);
         VYBEG_CLOSE(found.tau_s.value, truth.tau_s, 4 * found.tau_s.sd);
-        QCOMPARE(
-            cell("resonator", "Frequency split"),
-            valueText(1e3 * found.split_hz.value, 1e3 * found.split_hz.sd, 1e3 * found.split_hz.u));
+        const Estimate& split = found.split_hz;
+        QCOMPARE(cell("resonator", "Frequency split"),
+                 valueText(1e3 * split.value, 1e3 * split.sd));
+        VYBEG_MORE(split.u, split.sd);
+        QCOMPARE(cellOf("resonator", "Frequency split", "u")->text(),
+                 uncertaintyLabel(1e3 * split.value, 1e3 * split.sd, 1e3 * split.u));
+        // A reason has the room of the cells beside it.
+        auto& parameters = the<QuantityTable>("resonator");
+        const int missing = cellOf("resonator", "Amplitude dependence", 1)->row();
+        QCOMPARE(parameters.columnSpan(missing, 1), parameters.columnCount() - 1);
         QVERIFY(cell("resonator", "Decay time").startsWith("40"));
         QCOMPARE(the<QuantityTable>("runs").columnCount(), 5);
         QVERIFY(!the<XYPlotView>("drift").content().series.empty());
@@ -218,7 +225,7 @@ private slots:
         table.setFocus();
         QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
         const QStringList lines = QApplication::clipboard()->text().split('\n');
-        QCOMPARE(lines.front(), QStringLiteral("\tvalue\tsd\tu"));
+        QCOMPARE(lines.front(), QStringLiteral("\tValue\tsd\tu"));
         const QStringList split = lines.at(2).split('\t');
         QCOMPARE(split.size(), 4);
         QVERIFY(split.front().startsWith("Frequency split") && split.front().endsWith("mHz"));
@@ -320,8 +327,10 @@ private slots:
                  tolerance_text(wanted));
         QVERIFY(!the<QLabel>("statistical").text().contains("(assumed)"));
         QVERIFY(!the<QLabel>("statistical").text().contains("clock of the recorder"));
-        QVERIFY2(cell("resonator", "Decay time").contains("(u "),
-                 qPrintable(cell("resonator", "Decay time")));
+        const Estimate& tau = outcome()->identification.fit.resonator.tau_s;
+        VYBEG_MORE(tau.u, tau.sd);
+        QCOMPARE(cellOf("resonator", "Decay time", "u")->text(),
+                 uncertaintyLabel(tau.value, tau.sd, tau.u));
         document().undoStack().undo();
         QVERIFY(!document().tolerance().kappa);
         QVERIFY(field("Tolerance of the gain ratio")->text().isEmpty());
@@ -439,6 +448,9 @@ private slots:
         QVERIFY(QTest::qWaitFor([&] { return allOpen() && !document().busy(); }, 20000));
         identify();
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("≠ changed"));
+        QVERIFY(
+            cellOf("resonator", "Frequency split", "Since the passport")->text().startsWith("≠ "));
+        QVERIFY(cellOf("resonator", "Decay time", "Since the passport")->text().startsWith("= "));
         QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
         QVERIFY2(cell("differences", "Frequency split", 4).contains("%"),
                  qPrintable(cell("differences", "Frequency split", 4)));

@@ -83,8 +83,8 @@ private slots:
         field.setFocus();
         QTest::keyClicks(&field, "20");
         QTest::keyClick(&field, Qt::Key_Return);  // 4
-        QTRY_VERIFY(cellOf("resonator", "Frequency split", 2));
-        const QTableWidgetItem& verdict = *cellOf("resonator", "Frequency split", 2);
+        QTRY_VERIFY(cellOf("resonator", "Frequency split", "Limits"));
+        const QTableWidgetItem& verdict = *cellOf("resonator", "Frequency split", "Limits");
         QCOMPARE(verdict.text(), QStringLiteral("✓ ≤ 20"));
         auto& table = the<QuantityTable>("resonator");
         const auto seen = [&] {
