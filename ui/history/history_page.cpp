@@ -288,7 +288,7 @@ void HistoryPage::showHistory() {
             return place < points.size() ? richTip(pointText(view(), points[place])) : QString();
         });
     }
-    distribution_->setContent(besideValues(distributionPlot(now), values_.shown.plot));
+    showDistribution();
     ranges_.plot->setVisible(charts_.one_gyro);
     average_.plot->setVisible(charts_.one_gyro);
     // A click on a name chooses its result.
@@ -308,6 +308,13 @@ void HistoryPage::showHistory() {
         point_->setText(richText(pointText(now, *chosen_)));
     }
     emit figuresChanged();
+}
+
+// Its frame begins as high as that of the values.
+void HistoryPage::showDistribution() {
+    XYPlot plot = besideValues(distributionPlot(view()), values_.shown.plot);
+    plot.least_head = values_.plot->head();
+    distribution_->setContent(plot);
 }
 
 QString HistoryPage::stateText() const {
@@ -474,6 +481,11 @@ QWidget* HistoryPage::buildContent() {
     average_.plot = addPlot("historyAverage", average_height);
     distribution_ = addPlot("historyDistribution", values_height);
     distribution_->setFixedWidth(distribution_width);
+    whenChanged(*values_.plot, {QEvent::Resize}, [this] {
+        if (history_) {
+            showDistribution();
+        }
+    });
     // The charts over each other, on one axis; beside them the distribution and the chosen result.
     auto* grid = new QGridLayout;
     grid->setSpacing(4);

@@ -95,6 +95,7 @@ private:
     void take(Result<StoredHistory> history);
     void compute();
     void showHistory();
+    void showDistribution();
     void showAgain() override { showHistory(); }
     void refresh();
     // Precondition: there is a history.

@@ -361,9 +361,6 @@ AxisRange wholeRange(const HistoryView& view, const XYPlot& values) {
 
 XYPlot besideValues(XYPlot distribution, const XYPlot& values) {
     distribution.turned = true;
-    const auto named = std::ranges::count_if(
-        values.series, [](const XYSeries& series) { return !series.name.isEmpty(); });
-    distribution.legend_rows = named > 1 ? 1 : 0;  // as the values have
     distribution.x_range = shownValues(values);
     for (XYSeries& series : distribution.series) {
         series.name.clear();

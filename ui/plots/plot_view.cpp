@@ -74,6 +74,10 @@ void XYPlotView::setContent(const XYPlot& content) {
     rebuild();
 }
 
+int XYPlotView::head() const {
+    return headOf(content_, plotFont(*plot_), layout()->contentsRect().width());
+}
+
 Figure XYPlotView::figure() const {
     return {xyDrawing(content_), {640, 420}, objectName()};
 }

@@ -60,6 +60,7 @@ public:
 
     void setContent(const XYPlot& content);
     const XYPlot& content() const { return content_; }
+    int head() const;  // headOf() its content at its width
     // As high as a panel shows it, unless the minimum height is set to another one.
     QSize sizeHint() const override { return {260, minimumHeight()}; }
     // A click near a point of this series, by its number in the content, emits pointClicked(), a

@@ -16,12 +16,11 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr int head_height = 21;
+constexpr int head_height = 22;  // of a name or a row of the legend
 constexpr int foot_height = 40;
 constexpr int bare_foot_height = 8;
 constexpr int left_margin = 60;
 constexpr int right_margin = 16;
-constexpr int legend_height = 22;
 constexpr std::size_t most_shapes = 2000;  // of points in a series
 constexpr int legend_inset = 8;
 constexpr double day_s = 86400;
@@ -70,9 +69,8 @@ QCPAxis::AxisType sideOf(const XYPlot& content, bool y) {
 // Axis rectangle with names in the style of the track's plots.
 class XYPanel : public FramedPanel {
 public:
-    XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, QSize room)
-        : FramedPanel(plot, {left_margin, head_height, right_margin, footOf(content)}),
-          content_(content) {
+    XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, int head, QSize room)
+        : FramedPanel(plot, {left_margin, head, right_margin, footOf(content)}), content_(content) {
         setExpectedSize(room);
         setLook(theme, plotFont(*plot));
         for (QCPAxis* side : {axis(QCPAxis::atBottom), axis(QCPAxis::atLeft)}) {
@@ -217,6 +215,48 @@ void addLine(QCustomPlot& plot, const Axes& axes, const XYSeries& series, const 
     line(0);
 }
 
+// The rows of a legend and where they begin.
+struct Legend {
+    std::vector<std::vector<StripEntry>> rows;
+    int left = legend_inset;
+
+    bool beside_name() const { return left != legend_inset; }
+    int height() const { return head_height * static_cast<int>(rows.size()); }
+};
+
+// Behind the name of the axis where all of it has room there; otherwise above it.
+Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, int width) {
+    std::vector<StripEntry> entries;
+    for (const XYSeries& series : content.series) {
+        if (!series.name.isEmpty()) {
+            const QPen pen = penOf(series, theme);
+            entries.push_back({series.name, true, true, pen.color(), pen.style(),
+                               series.points ? shapeOf(series, pen) : QCPScatterStyle()});
+        }
+    }
+    // A single curve needs no legend.
+    if (entries.size() <= 1) {
+        return {};
+    }
+    constexpr int gap = 24;
+    constexpr double far = 1e3;  // from zero: labels count from an offset, which the name has
+    const bool y = !content.turned;
+    const AxisRange shown = y ? shownValues(content) : shownPlaces(content);
+    const bool logarithmic = y ? content.y_logarithmic : content.x_logarithmic;
+    const bool offset = std::max(std::abs(shown.lower), std::abs(shown.upper)) > far * shown.span();
+    const QString name = (y ? content.y_name : content.x_name) + QLatin1Char(' ') +
+                         (logarithmic ? QString()
+                          : offset    ? QStringLiteral(" − 5300.000 000, ×10⁻³ ")
+                                      : QStringLiteral("×10⁻³ ")) +
+                         (y ? content.y_unit : content.x_unit);
+    const int left = left_margin + gap + static_cast<int>(indexTextWidth(name, font));
+    Legend legend{PlotStrip::rows(entries, font, width - left - right_margin), left};
+    if (legend.rows.size() > 1) {
+        legend = {PlotStrip::rows(entries, font, width - legend_inset - right_margin)};
+    }
+    return legend;
+}
+
 }  // namespace
 
 XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
@@ -255,33 +295,20 @@ XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {
     plot.clearPlottables();
     preparePlot(plot, theme);
-    std::vector<StripEntry> legend;
-    for (const XYSeries& series : content.series) {
-        if (!series.name.isEmpty()) {
-            const QPen pen = penOf(series, theme);
-            legend.push_back({series.name, true, true, pen.color(), pen.style(),
-                              series.points ? shapeOf(series, pen) : QCPScatterStyle()});
-        }
-    }
-    // A single curve needs no legend.
+    const Legend legend = legendOf(content, theme, plotFont(plot), size.width());
     int row = 0;
-    if (legend.size() == 1) {
-        legend.clear();
-    }
-    const double legend_width = size.width() - legend_inset - right_margin;
-    for (auto& entries : PlotStrip::rows(legend, plotFont(plot), legend_width)) {
-        auto* strip = new PlotStrip(&plot, legend_height);
-        strip->setInset(legend_inset, right_margin, 0);
+    for (const auto& entries : legend.rows) {
+        auto* strip = new PlotStrip(&plot, head_height);
+        strip->setInset(legend.left, right_margin, 0);
         strip->setLook(plotFont(plot), theme.text);
-        strip->setEntries(std::move(entries), Qt::AlignLeft);
+        strip->setEntries(entries, Qt::AlignLeft);
         plot.plotLayout()->addElement(row++, 0, strip);
     }
-    while (row < content.legend_rows) {
-        plot.plotLayout()->addElement(row++, 0, new PlotStrip(&plot, legend_height));
-    }
-    const QSize room(size.width() - left_margin - right_margin,
-                     size.height() - head_height - footOf(content) - row * legend_height);
-    auto* panel = new XYPanel(&plot, content, theme, room);
+    // The panel draws the name of its axis over a row of the legend that leaves room for it.
+    const int head = headOf(content, plotFont(plot), size.width());
+    const int foot = footOf(content);
+    const QSize room(size.width() - left_margin - right_margin, size.height() - head - foot);
+    auto* panel = new XYPanel(&plot, content, theme, head - legend.height(), room);
     plot.plotLayout()->addElement(row, 0, panel);
     const Axes axes{panel->axis(sideOf(content, false)), panel->axis(sideOf(content, true))};
     for (const XYSeries& series : content.series) {
@@ -296,6 +323,11 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
     const AxisRange y = shownValues(content);
     axes.first->setRange(x.lower, x.upper);
     axes.second->setRange(y.lower, y.upper);
+}
+
+int headOf(const XYPlot& content, const QFont& font, int width) {
+    const Legend legend = legendOf(content, lightTheme(), font, width);
+    return std::max(content.least_head, legend.height() + (legend.beside_name() ? 0 : head_height));
 }
 
 AxisRange shownPlaces(const XYPlot& content) {

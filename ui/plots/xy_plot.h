@@ -5,6 +5,7 @@
 #include "ui/values/zoom_state.h"
 #include "ui/widgets/theme.h"
 
+#include <QFont>
 #include <QSize>
 #include <QString>
 
@@ -58,7 +59,7 @@ struct XYPlot {
     bool y_logarithmic = false;
     std::optional<AxisRange> y_range{};  // as x_range
     bool turned = false;                 // x along the left axis, y along the lower one
-    int legend_rows = 0;                 // room above the frame for so many, as of a plot beside it
+    int least_head = 0;                  // pixels above the frame, as of a plot beside it
     std::vector<XYSeries> series{};
     QString empty{};  // text shown without series
 };
@@ -67,6 +68,8 @@ struct XYPlot {
 AxisRange shownPlaces(const XYPlot& content);
 AxisRange shownValues(const XYPlot& content);
 
+// Pixels above the frame of a plot of that width: the name of an axis, beside or below the legend.
+int headOf(const XYPlot& content, const QFont& font, int width);
 // Replaces the content of a plot of size `size`.
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size);
 

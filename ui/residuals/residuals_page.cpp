@@ -41,15 +41,18 @@ ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* par
       tracks_(tracks),
       range_(withName(new QComboBox(this), "residualRange")),
       time_(new NumberField(this)),
+      lines_(withName(new QComboBox(this), "residualLines")),
+      filter_(withName(new QPushButton(this), "residualFilter")),
       state_(sentence(this, "residualState", beside)) {
     setObjectName(QStringLiteral("residuals"));
     range_->addItems({QString(), QString(), QString()});
     range_->setCurrentIndex(static_cast<int>(Range::whole));
     time_->hide();
     time_->setLimits(0, 1e9);
-    auto* head =
-        fill(new QHBoxLayout, {6, 4, 6, 0},
-             {labelFor(range_, [] { return tr("Residual of"); }), range_, time_, LayoutPart(1)});
+    lines_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto* head = fill(new QHBoxLayout, {6, 4, 6, 0},
+                      {labelFor(range_, [] { return tr("Residual of"); }), range_, time_,
+                       LayoutPart(1), lines_, filter_});
     fill(new QVBoxLayout(this), {}, 4, {head, state_, {scrolled(buildContent()), 1}});
 
     pause_.setSingleShot(true);
@@ -73,26 +76,18 @@ ResidualsPage::ResidualsPage(Document& document, TrackView& tracks, QWidget* par
 QWidget* ResidualsPage::buildContent() {
     auto* content = new QWidget(this);
     spectrum_ = addPlot("spectrum", least_spectrum_height);
-    lines_ = withName(new QComboBox(content), "residualLines");
-    lines_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    lines_->setMinimumContentsLength(16);
-    filter_ = withName(new QPushButton(content), "residualFilter");
-    sentence_ = sentence(content, "residualLine", beside);
     histogram_ = addPlot("histogram", least_plot_height);
     correlation_ = addPlot("correlation", least_plot_height);
     numbers_ = withName(new QuantityTable(content), "residualNumbers");
-    auto* choice = fill(new QHBoxLayout, {6, 0, 6, 0}, {{lines_, 1}, filter_});
     auto* grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(4);
     grid->addWidget(spectrum_, 0, 0, 1, 2);
-    grid->addLayout(choice, 1, 0, 1, 2);
-    grid->addWidget(sentence_, 2, 0, 1, 2);
-    grid->addWidget(histogram_, 3, 0);
-    grid->addWidget(correlation_, 3, 1);
-    grid->addWidget(numbers_, 4, 0, 1, 2);
+    grid->addWidget(histogram_, 1, 0);
+    grid->addWidget(correlation_, 1, 1);
+    grid->addWidget(numbers_, 2, 0, 1, 2);
     grid->setRowStretch(0, 3);
-    grid->setRowStretch(3, 2);
+    grid->setRowStretch(1, 2);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
     connect(spectrum_, &XYPlotView::pointClicked, this,
@@ -235,7 +230,6 @@ QString ResidualsPage::stateText() const {
 }
 
 void ResidualsPage::showFound() {
-    state_->setText(stateText());
     const bool any = found_ && found_->used() > 0;
     const int count = any ? static_cast<int>(found_->lines.size()) : 0;
     {
@@ -288,17 +282,17 @@ void ResidualsPage::chooseLine(std::optional<std::size_t> line) {
     showLine();
 }
 
+// A chosen line has the place of what is said of the residual, two lines of text, so that no plot
+// moves under the mouse.
 void ResidualsPage::showLine() {
-    sentence_->setVisible(chosen_.has_value());
-    filter_->setVisible(false);
-    if (!chosen_) {
-        return;
-    }
-    const ResidualLine& line = found_->lines[*chosen_];
-    sentence_->setText(lineSentence(line, *found_, unit()).toHtmlEscaped());
-    if (line.filter) {
-        filter_->setText(tr("Filter %1").arg(bandText(*line.filter)));
-        filter_->setVisible(true);
+    constexpr int lines_of_text = 2;
+    const bool any = found_ && !found_->lines.empty();
+    state_->setMinimumHeight(any ? lines_of_text * state_->fontMetrics().lineSpacing() : 0);
+    state_->setText(chosen_ ? lineSentence(found_->lines[*chosen_], *found_, unit()) : stateText());
+    const auto filter = chosen_ ? found_->lines[*chosen_].filter : std::nullopt;
+    filter_->setVisible(filter.has_value());
+    if (filter) {
+        filter_->setText(tr("Filter %1").arg(bandText(*filter)));
     }
 }
 

@@ -77,11 +77,10 @@ private:
     QTimer pause_;  // between the last change and the computation
     QComboBox* range_;
     NumberField* time_;
+    QComboBox* lines_;
+    QPushButton* filter_;
     QLabel* state_;
     XYPlotView* spectrum_ = nullptr;
-    QComboBox* lines_ = nullptr;
-    QPushButton* filter_ = nullptr;
-    QLabel* sentence_ = nullptr;
     XYPlotView* histogram_ = nullptr;
     XYPlotView* correlation_ = nullptr;
     QuantityTable* numbers_ = nullptr;

@@ -205,7 +205,8 @@ QString bandText(const Band& band) {
 
 QString lineSentence(const ResidualLine& line, const Residuals& found, const QString& unit) {
     const auto amplitude = [&](double value, double sd) {
-        return valueText(value, sd) + (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit);
+        return valueText(value, sd) +
+               (unit.isEmpty() ? QString() : QLatin1Char(' ') + unit.toHtmlEscaped());
     };
     QStringList sentences;
     sentences << QStringLiteral("<b>%1.</b>").arg(lineName(line));

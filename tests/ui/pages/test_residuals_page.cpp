@@ -74,7 +74,7 @@ class TestResidualsPage : public QObject, private WindowTest {
         QTest::mouseClick(&spectrum, Qt::LeftButton, {}, at);
     }
 
-    QString sentence() { return the<QLabel>("residualLine").text(); }
+    QString sentence() { return the<QLabel>("residualState").text(); }
     QPushButton& filter() { return the<QPushButton>("residualFilter"); }
 
 private slots:
@@ -174,8 +174,11 @@ private slots:
         goToResiduals();
         QVERIFY(computed(533 * 60));
         VYBEG_AT_LEAST(page().residuals()->lines.size(), 2);
+        const QRect place = the<XYPlotView>("spectrum").geometry();
         clickLine(50);
-        QVERIFY2(sentence().contains("supply of 50 Hz"), qPrintable(sentence()));
+        QVERIFY2(sentence().startsWith("<b>50.00 Hz: supply of 50 Hz.</b>"),
+                 qPrintable(sentence()));
+        QCOMPARE(the<XYPlotView>("spectrum").geometry(), place);  // nothing moves under the mouse
         clickLine(2345);
         QVERIFY2(sentence().contains("2345.0"), qPrintable(sentence()));
         QVERIFY2(sentence().contains("unknown"), qPrintable(sentence()));
@@ -236,7 +239,7 @@ private slots:
         QVERIFY(sentence().contains(lines.currentText().section(':', 0, 0)));
         QTest::keyClick(&spectrum, Qt::Key_Left);
         QCOMPARE(lines.currentIndex(), 0);
-        QVERIFY(!the<QLabel>("residualLine").isVisible());
+        QVERIFY(sentence().contains("Samples per channel"));
         QTest::keyClick(&spectrum, Qt::Key_Left);
         QCOMPARE(lines.currentIndex(), lines.count() - 1);
         // A click beside all lines chooses none.
