@@ -7661,6 +7661,22 @@
         <source>The session %1 cannot be opened: %2 Open it with the version of Vybeg that wrote it, or restore the file from a copy.</source>
         <translation>Сеанс %1 не открывается: %2 Откройте его той версией Vybeg, которая его записала, или восстановите файл из копии.</translation>
     </message>
+    <message numerus="yes">
+        <source>Session %1 of %2 that were not closed: %3, %n recording(s), %4.</source>
+        <translation>
+            <numerusform>Сеанс %1 из %2 незакрытых: %3, %n запись, %4.</numerusform>
+            <numerusform>Сеанс %1 из %2 незакрытых: %3, %n записи, %4.</numerusform>
+            <numerusform>Сеанс %1 из %2 незакрытых: %3, %n записей, %4.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Another…</source>
+        <translation>Другой…</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Забыть</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetPanel</name>

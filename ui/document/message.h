@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace vybeg::ui {
@@ -23,12 +24,9 @@ struct Message {
     MessageLevel severity = MessageLevel::info;
     std::function<QString()> text;
     Topic topic = Topic::none;
-    // A button of its own, with its action.
-    std::function<QString()> button = {};
-    std::function<void()> press = {};
-    // What closing the message without its button says.
-    std::function<void()> dismiss = {};
-    // A question that newer messages do not push out.
+    // Texts of its buttons, with their actions.
+    std::vector<std::pair<std::function<QString()>, std::function<void()>>> buttons = {};
+    // A question: its buttons close it, newer messages do not push it out.
     bool until_answered = false;
 };
 

@@ -161,12 +161,11 @@ void RecordingStore::whenOpened(RecordingId id, Result<Recording> result) {
     if (!result) {
         Message message = errorMessage(result.error());
         if (std::ranges::count(fixable_by_import_options, result.error().code) > 0) {
-            message.button = [] {
-                return QCoreApplication::translate("vybeg::ui::MessageBar", "Import…");
-            };
-            message.press = [this, path = loaded.path, options = loaded.options] {
-                emit importWanted(path, options);
-            };
+            message.buttons = {
+                {[] { return QCoreApplication::translate("vybeg::ui::MessageBar", "Import…"); },
+                 [this, path = loaded.path, options = loaded.options] {
+                     emit importWanted(path, options);
+                 }}};
         }
         emit openFailed(id, message);
         return;

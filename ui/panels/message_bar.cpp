@@ -32,12 +32,23 @@ MessageBar::MessageBar(QWidget* parent)
     connect(close_all_, &QToolButton::clicked, this, [this] {
         for (const Row& row : std::vector(rows_)) {
             if (!row.message.until_answered) {
-                closeRow(row);
+                remove(row.widget);
             }
         }
     });
     hide();
     keepTranslated(*this, [this] { retranslate(); });
+}
+
+void MessageBar::floatOver(QWidget& place) {
+    setParent(&place);
+    const auto settle = [this, &place] {
+        const int height = heightForWidth(place.width());
+        setGeometry(0, place.height() - height, place.width(), height);
+        raise();
+    };
+    whenChanged(place, {QEvent::Resize}, settle);
+    whenChanged(*this, {QEvent::Show, QEvent::LayoutRequest}, settle);
 }
 
 void MessageBar::add(const Message& message) {
@@ -62,23 +73,24 @@ void MessageBar::add(const Message& message) {
     const auto sign = message.severity == MessageLevel::error ? QStyle::SP_MessageBoxCritical
                                                               : QStyle::SP_MessageBoxWarning;
     icon->setPixmap(style()->standardIcon(sign).pixmap(size));
-    Row row{message, frame, new QLabel(frame), new QToolButton(frame), nullptr};
+    Row row{message, frame, new QLabel(frame), new QToolButton(frame), {}};
     row.text->setWordWrap(true);
     row.text->setTextFormat(Qt::PlainText);
     row.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     row.text->setForegroundRole(QPalette::ToolTipText);
     auto* line = fill(new QHBoxLayout(frame), {8, 3, 4, 3}, {icon, {row.text, 1}});
-    if (message.button) {
-        row.action = new QPushButton(frame);
-        connect(row.action, &QPushButton::clicked, this, [this, frame, message] {
+    for (const auto& [text_of, act] : message.buttons) {
+        row.buttons.push_back(new QPushButton(frame));
+        connect(row.buttons.back(), &QPushButton::clicked, this, [this, frame, done = act] {
             remove(frame);
-            message.press();
+            done();
         });
-        line->addWidget(row.action);
+        line->addWidget(row.buttons.back());
     }
     row.close->setAutoRaise(true);
     row.close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
-    connect(row.close, &QToolButton::clicked, this, [this, row] { closeRow(row); });
+    row.close->setVisible(!message.until_answered);
+    connect(row.close, &QToolButton::clicked, this, [this, frame] { remove(frame); });
     line->addWidget(row.close);
 
     rows_.insert(rows_.begin(), row);
@@ -110,14 +122,6 @@ void MessageBar::showRows() {
     more_->setVisible(waiting > 0);
     waiting_->setText(tr("%n more message(s)", nullptr, waiting));
     setVisible(!rows_.empty());
-}
-
-void MessageBar::closeRow(const Row& row) {
-    const auto dismiss = row.message.dismiss;
-    remove(row.widget);
-    if (dismiss) {
-        dismiss();
-    }
 }
 
 void MessageBar::remove(QWidget* widget) {
@@ -163,8 +167,8 @@ void MessageBar::nameRow(const Row& row) {
     row.widget->setAccessibleName(row.message.text());
     row.close->setToolTip(tr("Close this message"));
     row.close->setAccessibleName(tr("Close this message"));
-    if (row.action) {
-        row.action->setText(row.message.button());
+    for (std::size_t k = 0; k < row.buttons.size(); ++k) {
+        row.buttons[k]->setText(row.message.buttons[k].first());
     }
 }
 

@@ -13,14 +13,16 @@ class QVBoxLayout;
 
 namespace vybeg::ui {
 
-// Messages above the plots, but for news; none blocks. The newest is on top. Of more than three
-// some wait behind a line that counts them, and come as others are closed.
+// Messages over the lower end of the window, but for news; none blocks. The newest is on top. Of
+// more than three some wait behind a line that counts them, and come as others are closed.
 class MessageBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
+    // At its lower end, over what is there, so that no plot moves under the mouse.
+    void floatOver(QWidget& place);
     void add(const Message& message);
     void clear();
     // Removes the message of a topic.
@@ -34,11 +36,10 @@ private:
         QWidget* widget = nullptr;
         QLabel* text = nullptr;
         QToolButton* close = nullptr;
-        QPushButton* action = nullptr;
+        std::vector<QPushButton*> buttons;
     };
     void retranslate();
     void nameRow(const Row& row);
-    void closeRow(const Row& row);
     void remove(QWidget* widget);
     void showRows();
 

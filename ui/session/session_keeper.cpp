@@ -254,10 +254,10 @@ void SessionKeeper::keepAbsent(Session& session) {
                       "its analyses.")
                 .arg(path);
         });
-        message.button = [] { return tr("Find…"); };
-        message.press = [this, absent, name = QFileInfo(recording.path).fileName()] {
-            emit fileWanted(absent, name);
-        };
+        message.buttons = {{[] { return tr("Find…"); },
+                            [this, absent, name = QFileInfo(recording.path).fileName()] {
+                                emit fileWanted(absent, name);
+                            }}};
         document_.report(message);
         recording.path.clear();
     }
@@ -475,28 +475,41 @@ QJsonObject SessionKeeper::backup() const {
     return json;
 }
 
-// The newest copy; the one before it where that is declined.
-void SessionKeeper::offerAbandoned() {
+// One copy, from the newest on; those before it by a button.
+void SessionKeeper::offerAbandoned(qsizetype place) {
     const QStringList copies = SessionBackup::abandoned();
-    if (copies.isEmpty()) {
+    const qsizetype count = copies.size();
+    if (count == 0) {
         return;
     }
-    const QString& copy = copies.last();
-    Message message = warningMessage([what = contentOf(copy)] {
-        return tr("A session was not closed, and can be recovered: %1, %n recording(s), %2.",
-                  nullptr, what.recordings)
-            .arg(what.name, what.written);
+    place %= count;
+    const QString& copy = copies[count - 1 - place];
+    Message message = warningMessage([what = contentOf(copy), place, count] {
+        return count == 1
+                   ? tr("A session was not closed, and can be recovered: %1, %n recording(s), %2.",
+                        nullptr, what.recordings)
+                         .arg(what.name, what.written)
+                   : tr("Session %1 of %2 that were not closed: %3, %n recording(s), %4.", nullptr,
+                        what.recordings)
+                         .arg(place + 1)
+                         .arg(count)
+                         .arg(what.name, what.written);
     });
-    message.button = [] { return tr("Recover"); };
-    message.press = [this, copy] {
-        if (openSession(copy)) {
-            backup_.take(copy);
-        }
-    };
-    message.dismiss = [this, copy] {
-        SessionBackup::setAside(copy);
-        offerAbandoned();
-    };
+    message.buttons.emplace_back([] { return tr("Recover"); },
+                                 [this, copy] {
+                                     if (openSession(copy)) {
+                                         backup_.take(copy);
+                                     }
+                                 });
+    if (count > 1) {
+        message.buttons.emplace_back([] { return tr("Another…"); },
+                                     [this, place] { offerAbandoned(place + 1); });
+    }
+    message.buttons.emplace_back([] { return tr("Forget"); },
+                                 [this, copy, place] {
+                                     SessionBackup::setAside(copy);
+                                     offerAbandoned(place);
+                                 });
     message.until_answered = true;
     document_.report(message);
 }

@@ -50,7 +50,7 @@ public:
     // Until the recordings of the session that was opened last are read and analysed.
     bool isOpening() const { return opening_; }
     // Offers the sessions of programs that did not end as they should.
-    void offerAbandoned();
+    void offerAbandoned(qsizetype place = 0);
     // Name of a set of the session that was opened last of which a recording is not there, or
     // cannot be read; none: all are complete.
     std::optional<QString> lackingSet() const;

@@ -183,15 +183,15 @@ void MainWindow::layOut() {
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(2);
     grid->setVerticalSpacing(0);
-    grid->addWidget(messages_, 0, 0, 1, 3);
-    grid->addWidget(settings_, 1, 0, 2, 1);
-    grid->addWidget(overview_, 1, 1);
-    grid->addWidget(pages_, 2, 1);
-    grid->addWidget(wave_, 1, 2, 2, 1);
-    grid->addWidget(ledger_, 3, 0, 1, 3);
+    grid->addWidget(settings_, 0, 0, 2, 1);
+    grid->addWidget(overview_, 0, 1);
+    grid->addWidget(pages_, 1, 1);
+    grid->addWidget(wave_, 0, 2, 2, 1);
+    grid->addWidget(ledger_, 2, 0, 1, 3);
     grid->setColumnStretch(1, 1);
-    grid->setRowStretch(2, 1);
+    grid->setRowStretch(1, 1);
     setCentralWidget(center);
+    messages_->floatOver(*center);
 }
 
 // Menus, pages and the commands of the mouse in one row: the plots have the height of the others.

@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(messages, 1);
         QCOMPARE(last.severity, MessageLevel::error);
         QVERIFY(!last.text().isEmpty());
-        QCOMPARE(bool(last.button), can_be_reopened);
+        QCOMPARE(!last.buttons.empty(), can_be_reopened);
         QVERIFY(document.recordings().empty());
         QVERIFY(document.analyses().empty());
     }

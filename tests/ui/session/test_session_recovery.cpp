@@ -242,10 +242,24 @@ private slots:
         QCOMPARE(bar.texts().size(), 1);
         QVERIFY2(bar.texts().first().contains("HRG-17, 2 recordings, 20"),
                  qPrintable(bar.texts().first()));
-        const auto buttons = bar.findChildren<QToolButton*>();
-        const auto close = std::ranges::find_if(buttons, &QToolButton::isVisible);
-        QVERIFY(close != buttons.end());
-        QTest::mouseClick(*close, Qt::LeftButton);
+        QVERIFY2(bar.texts().first().startsWith("Session 1 of 2"), qPrintable(bar.texts().first()));
+        const auto press = [&bar](const char* text) {
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            for (QPushButton* button : bar.findChildren<QPushButton*>()) {
+                if (button->text() == QLatin1String(text)) {
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    return;
+                }
+            }
+            QFAIL(text);
+        };
+        press("Another…");  // looks at the older one, and back
+        QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),
+                 qPrintable(bar.texts().first()));
+        press("Another…");
+        QVERIFY(bar.texts().first().contains("HRG-17"));
+        QVERIFY(SessionBackup::abandoned().contains(newer));
+        press("Forget");
         QCOMPARE(bar.texts().size(), 1);
         QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),
                  qPrintable(bar.texts().first()));

@@ -2,6 +2,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "ui/panels/message_bar.h"
+#include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
 
 #include <QLabel>
@@ -39,8 +40,7 @@ private slots:
         MessageBar bar;
         int pressed = 0;
         Message question = told(MessageLevel::warning, "recover?");
-        question.button = [] { return QString("Recover"); };
-        question.press = [&pressed] { ++pressed; };
+        question.buttons = {{[] { return QString("Recover"); }, [&pressed] { ++pressed; }}};
         question.until_answered = true;
         bar.add(question);
         for (const char* text : {"first", "second", "third", "fourth"}) {
@@ -92,21 +92,50 @@ private slots:
         QCOMPARE(bar.texts(), QStringList{"recover?"});
     }
 
-    void a_message_that_is_closed_is_dismissed_and_not_pressed() {
+    void a_message_that_is_closed_is_not_pressed() {
         MessageBar bar;
-        int pressed = 0;
-        int dismissed = 0;
-        Message question = told(MessageLevel::warning, "recover?");
-        question.button = [] { return QString("Recover"); };
-        question.press = [&pressed] { ++pressed; };
-        question.dismiss = [&dismissed] { ++dismissed; };
-        bar.add(question);
+        bar.show();
+        std::vector<int> pressed(2);
+        Message message = told(MessageLevel::warning, "gone");
+        for (int& count : pressed) {
+            message.buttons.emplace_back([] { return QString("Find"); }, [&count] { ++count; });
+        }
+        bar.add(message);
         closeNewest(bar);
-        QCOMPARE(dismissed, 1);
+        QCOMPARE(pressed, (std::vector{0, 0}));
+        bar.add(message);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        const auto buttons = bar.findChildren<QPushButton*>();
+        QCOMPARE(buttons.size(), 2);
+        buttons.at(1)->click();
+        QCOMPARE(pressed, (std::vector{0, 1}));
+        QVERIFY(bar.texts().isEmpty());
+    }
+
+    // A question is not closed by mistake: its buttons are its answers.
+    void a_question_has_no_button_that_closes_it() {
+        MessageBar bar;
+        bar.show();
+        Message question = told(MessageLevel::warning, "recover?");
+        question.until_answered = true;
         bar.add(question);
-        childOf<QPushButton>(bar).click();
-        QCOMPARE(pressed, 1);
-        QCOMPARE(dismissed, 1);
+        QVERIFY(std::ranges::none_of(bar.findChildren<QToolButton*>(), &QToolButton::isVisible));
+    }
+
+    void a_message_moves_nothing() {
+        const auto window = shownWindow();
+        const auto& bar = childOf<MessageBar>(*window);
+        const auto& pages = childOf<PageStack>(*window);
+        const QRect place = pages.geometry();
+        const QWidget& center = *window->centralWidget();
+        for (const char* text : {"odd", "odder"}) {
+            window->document().report(told(MessageLevel::warning, text));
+            QTRY_VERIFY(bar.isVisible());
+            QTRY_COMPARE(bar.geometry().bottom(), center.rect().bottom());
+            QCOMPARE(bar.width(), center.width());
+            QTRY_COMPARE(bar.height(), bar.heightForWidth(bar.width()));
+            QCOMPARE(pages.geometry(), place);
+        }
     }
 
     // What needs no answer stands in the status bar.
