@@ -20,12 +20,12 @@ namespace vybeg {
 
 // The hash of a recording, made beside other work by a thread of its own, or, where there is to be
 // one thread alone, when it is asked for. The thread stops where the object goes.
-class HashBeside {
+class BackgroundHash {
 public:
-    HashBeside(const Recording& recording, int threads, std::stop_token stop);
-    ~HashBeside() { given_up_.request_stop(); }
-    HashBeside(const HashBeside&) = delete;
-    HashBeside& operator=(const HashBeside&) = delete;
+    BackgroundHash(const Recording& recording, int threads, std::stop_token stop);
+    ~BackgroundHash() { given_up_.request_stop(); }
+    BackgroundHash(const BackgroundHash&) = delete;
+    BackgroundHash& operator=(const BackgroundHash&) = delete;
 
     Result<std::string> get() { return hash_.get(); }
 
