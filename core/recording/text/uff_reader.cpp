@@ -365,7 +365,7 @@ private:
                 samples->binary = SampleColumn{
                     bytes_,
                     type,
-                    {even_run(present, at, width, binary_->byte_order == of_big_endian)}};
+                    {contiguous_range(present, at, width, binary_->byte_order == of_big_endian)}};
             }
         }
         return {};
