@@ -3,7 +3,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/number_text.h"

@@ -4,7 +4,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"

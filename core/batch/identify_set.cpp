@@ -1,7 +1,7 @@
 #include "core/batch/identify_set.h"
 
 #include "core/analysis/analyse_logs.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/prepare.h"
 #include "core/base/job_control.h"

@@ -1,4 +1,4 @@
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 
 #include "core/recording/open/open_recording.h"
 
