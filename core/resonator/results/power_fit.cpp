@@ -3,7 +3,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/results/describe_fit.h"
-#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/reported_estimates.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/set_examination.h"
 
