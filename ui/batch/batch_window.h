@@ -134,7 +134,7 @@ private:
     QPushButton* start_;
     QPushButton* stop_;
     QProgressBar* bar_;
-    QLabel* told_;  // how far it is
+    QLabel* progressText_;
     BatchMessage* message_;
     QTableView* table_;
     QPlainTextEdit* details_;
