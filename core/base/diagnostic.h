@@ -11,7 +11,7 @@
 
 namespace vybeg {
 
-// What deserves to be known about a recording or an analysis but does not stop it, by the rows of
+// A note or warning about a recording or an analysis, which does not stop it, by the rows of
 // diagnostic_rows.h.
 enum class DiagnosticKind {
 #define ROW(kind, severity, sentence) kind,

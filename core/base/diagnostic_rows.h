@@ -104,8 +104,8 @@ ROW(mains, warning,
     Sentence::tr(
         "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes it{ (--filter)}."))
 ROW(start_transient, warning,
-    Sentence::tr("The first %1 s do not decay {as what follows. The range can leave them out "
-                 "(--from)|like the rest. The range can leave them out}."))
+    Sentence::tr("The first %1 s do not decay like the rest of the recording. The range can "
+                 "leave them out{ (--from)}."))
 ROW(gaps_inserted, warning,
     Sentence::tr(
         "Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values."))

@@ -252,14 +252,14 @@ void BatchWindow::askAndStart() {
         message_->begin();
         message_->end(
             [results] {
-                return tr("%1 is there already, and is no table of results: choose another name.")
+                return tr("%1 already exists and is not a table of results: choose another name.")
                     .arg(results);
             },
             true);
         return;
     }
     ask(this, tr("Replace the results?"),
-        tr("%1 is there already. The new table takes its place when it is whole.").arg(results),
+        tr("%1 already exists. The new table replaces it when it is complete.").arg(results),
         tr("Replace"), tr("Cancel"), [this] { start(); });
 }
 
@@ -416,7 +416,7 @@ void BatchWindow::showDetails() {
     details_->setPlaceholderText(
         current.isValid() && model_.hasResult(current.row())
             ? tr("This set has a result, and no warnings.")
-            : tr("Choose a set: here stands why it has no result, and its warnings."));
+            : tr("Choose a set to see why it has no result, and its warnings."));
     open_->setEnabled(current.isValid());
     copy_->setEnabled(current.isValid());
 }

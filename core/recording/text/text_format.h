@@ -18,8 +18,8 @@ namespace vybeg {
 
 // Guesses the format from the first lines of a file: the separator and decimal sign under which
 // most of them are rows of numbers of the same length, at least two. Nothing where there is no such
-// row. Time, and what is no channel, as find_columns() has it. What `choice` says is taken as said;
-// its time column counts where the table has it.
+// row. Time, and what is no channel, as find_columns() has it. `choice` takes precedence over
+// guesses; its time column counts where the table has it.
 std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                             const TextChoice& choice = {});
 
