@@ -53,9 +53,10 @@ struct OpenSet {
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);
 
-// Tells the set what its recordings contain; hashes those without a SHA-256, all beside each other.
-// Of a set of logs it reads these, too. Errors: same_recording where two have the same file content
-// and the same two channels, those of recording_sha256(), read_phasor_log() and read_power_log().
+// Reads the contents of the recordings into the set; hashes those without a SHA-256, all beside
+// each other. Of a set of logs it reads these, too. Errors: same_recording where two have the same
+// file content and the same two channels, those of recording_sha256(), read_phasor_log() and
+// read_power_log().
 Status read_contents(OpenSet& open, std::stop_token stop);
 
 // Precondition: read_contents(). Errors: those of identify(), file_changed.
