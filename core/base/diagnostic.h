@@ -29,7 +29,7 @@ struct Diagnostic {
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-// The name of a kind as it stands in JSON, e.g. "time-gap".
+// The name of a kind in JSON, e.g. "time-gap".
 std::string kind_name(DiagnosticKind kind);
 
 // Weight of a diagnostic: the worst are shown first.
