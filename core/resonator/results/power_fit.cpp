@@ -81,7 +81,7 @@ void turn_to(const Eigen::VectorXd& p, FitProblem& problem) {
     }
 }
 
-// Noise of the rows about the motion, by third differences of what it leaves: as large in the
+// Noise of the rows about the motion, by third differences of the residual: as large in the
 // phasors at any amplitude, or in the powers, whichever is likelier.
 void take_noise(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<PhasorRun>& runs,
                 double scale) {
