@@ -29,7 +29,7 @@ void say(std::string_view text) {
         code = error_of(exception).code;
     }
     if (code == ErrorCode::program_fault) {
-        std::abort();  // its core file tells more than a sentence
+        std::abort();  // its core file says more than a sentence
     }
     say(program_invocation_short_name);
     say(": ");
