@@ -88,7 +88,7 @@ public:
     void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
     void setUnits(const DisplayUnits& units);
     bool running() const { return job_.busy(); }
-    // Of the program: stops what is running, and closes without a question.
+    // Called by the program: stops the batch, and closes without a question.
     void leave();
 
 signals:
