@@ -42,7 +42,7 @@ MessageBar::MessageBar(QWidget* parent)
 
 void MessageBar::add(const Message& message) {
     if (message.severity == MessageLevel::info) {
-        return;  // stands in the status bar
+        return;  // shown in the status bar
     }
     withdraw(message.topic);
     const QString text = message.text();
