@@ -58,7 +58,7 @@ class SweepPage : public MeasuredPage {
 public:
     explicit SweepPage(Document& document, QWidget* parent = nullptr);
 
-    // What is shown; null without a result.
+    // The sweep on the page; null without a result.
     const WindowSweep* sweep() const;
     bool running() const { return running_ != RecordingId::none; }
 
