@@ -3,7 +3,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analyse_logs.h"
 #include "core/analysis/analysis.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/diagnostic.h"
 #include "core/base/number_text.h"
@@ -132,7 +132,7 @@ Status run_analyze(const AnalyzeRequest& request, Log& log, std::stop_token stop
     }
     const double begun = seconds_now();
     const auto recording = TRY(open_recording(request.input, request.open, silent_job(stop)));
-    HashBeside hash(recording, request.settings.threads, stop);
+    BackgroundHash hash(recording, request.settings.threads, stop);
     const double opened = seconds_now();
     auto output = TRY(open_output(request.output, silent_job(stop)));
     TrackSpool rows(output, silent_job(stop));

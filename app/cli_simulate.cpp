@@ -105,7 +105,7 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
         [&request](const auto& option, const auto& text) {
             request.lock_in = accepted(read_lock_in(option, text, &request.lock_in_rate_hz));
         });
-    // Options act in the order of their definition: what is typed changes the demo.
+    // Options act in the order of their definition: typed ones change the demo.
     app.add_flag_callback(
         "--demo", [&decay] { decay = demo_decay(); },
         "The article's case, 28 s at 33333 Hz: a swing of the quadrature, a turn through an axis, "

@@ -28,7 +28,7 @@ T accepted(Result<T> value) {
     return std::move(*value);
 }
 
-// Adds an option of one value. `placeholder` stands for the value in the help, e.g. "HZ"; `take`
+// Adds an option of one value. `placeholder` is the value's name in the help, e.g. "HZ"; `take`
 // gets the option's name and the text.
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& placeholder,
                        const std::string& help,
@@ -42,12 +42,12 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, const std::string&
 // twice parses, so that usage_fault() can name it.
 void let_repeated_options_parse(CLI::App& app);
 
-// What is wrong with a command line that does not parse, as one sentence; `words` are the program's
+// The fault of a command line that does not parse, as one sentence; `words` are the program's
 // own name and the line. An option that does not exist comes first, with the one whose name it
 // resembles.
 std::string parse_fault(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words);
 
-// What is wrong with a command line that parses: a misspelt option that was read as something else,
+// The fault of a command line that parses: a misspelt option that was read as something else,
 // an option given twice, or with an empty value. A sentence; empty where nothing is.
 std::string usage_fault(const CLI::App& app, std::span<char*> words);
 

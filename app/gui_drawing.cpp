@@ -4,7 +4,7 @@
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/setting_table.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
@@ -130,7 +130,7 @@ bool is_session(const std::string& input) {
     return ui::SessionKeeper::isSession(QString::fromStdString(input));
 }
 
-// Of options told beside a session.
+// Of options given beside a session.
 template <class S>
 void warn_beside_session(const std::vector<SettingRow<S>>& rows, const S& told) {
     for (const SettingRow<S>& row : rows) {
@@ -357,7 +357,7 @@ std::vector<InputPath> recording_files(const GuiRequest& request, const Document
 }
 
 // The session is opened and computed without a window; its set, or all of its sets, are the report,
-// without a set its current recording. What the request's title does not tell is that of the
+// without a set its current recording. Fields missing in the request's title are those of the
 // session's gyro.
 Result<int> write_session_report(const GuiRequest& request, std::stop_token stop) {
     warn_beside_session(analysis_settings(), request.settings);
@@ -374,7 +374,7 @@ Result<int> write_session_report(const GuiRequest& request, std::stop_token stop
         std::fprintf(stderr, "vybeg: %s\n", qUtf8Printable(message.text()));
     });
     if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
-        return exit_status(ErrorCode::format_damaged);  // the message has told why
+        return exit_status(ErrorCode::format_damaged);  // the message has the reason
     }
     const auto ready = [&] { return !session.isOpening() && is_whole(document); };
     TRY(wait_until(ready, stop));

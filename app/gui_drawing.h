@@ -46,7 +46,7 @@ Status draw_figure(const GuiRequest& request, std::stop_token stop);
 // `vybeg FILE... --report REPORT.pdf`: the report of one recording, or of several as one set, or of
 // a session;
 // `vybeg --list LIST.csv --report REPORT.pdf`: of the sets of a measurement list, a chapter each,
-// or of one of them. In the language of the system. What the title does not tell is a line to fill
+// or of one of them. In the language of the system. An empty field of the title is a line to fill
 // in by hand. Needs a QApplication, shows no window. Errors and warnings go to standard error;
 // returns the exit status (help, files.html). A resonator that cannot be identified is no failure,
 // nor is one of several sets without a result: the report gives the reason.

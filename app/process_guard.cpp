@@ -23,13 +23,13 @@ void say(std::string_view text) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-[[noreturn]] void last_words() {
+[[noreturn]] void on_terminate() {
     ErrorCode code = ErrorCode::out_of_memory;
     if (const auto exception = std::current_exception()) {
         code = error_of(exception).code;
     }
     if (code == ErrorCode::program_fault) {
-        std::abort();  // its core file tells more than a sentence
+        std::abort();  // its core file says more than a sentence
     }
     say(program_invocation_short_name);
     say(": ");
@@ -84,7 +84,7 @@ Status check_stack() {
 }
 
 void end_with_a_sentence() {
-    std::set_terminate(last_words);
+    std::set_terminate(on_terminate);
 }
 
 InterruptGuard::InterruptGuard() {

@@ -393,8 +393,8 @@
         <translation>Невя&amp;зки</translation>
     </message>
     <message>
-        <source>The page with spectrum, distribution and autocorrelation of what the waves leave of the samples</source>
-        <translation>Страница со спектром, распределением и автокорреляцией того, что остаётся от отсчётов после вычитания волн</translation>
+        <source>The page with spectrum, distribution and autocorrelation of the residuals of an analysis</source>
+        <translation>Страница со спектром, распределением и автокорреляцией невязок расчёта</translation>
     </message>
     <message>
         <source>Take back the last change of settings, analyses or sets</source>
@@ -425,7 +425,7 @@
         <translation>&amp;Сигналы</translation>
     </message>
     <message>
-        <source>The page with the samples, the wave fitted to them and what it leaves</source>
+        <source>The page with the samples, the wave fitted to them and the residual</source>
         <translation>Страница с отсчётами, модельной волной и невязкой</translation>
     </message>
     <message>
@@ -1772,8 +1772,8 @@
         <translation>Сетевая наводка на %1 Гц, %2 % несущей. Её убирает полосовой фильтр.</translation>
     </message>
     <message>
-        <source>The first %1 s do not decay {as what follows. The range can leave them out (--from)|like the rest. The range can leave them out}.</source>
-        <translation>Первые %1 с затухают не так, как дальнейшее. Их можно исключить диапазоном.</translation>
+        <source>The first %1 s do not decay like the rest of the recording. The range can leave them out{ (--from)}.</source>
+        <translation>Первые %1 с затухают не так, как остальная запись. Их можно исключить диапазоном.</translation>
     </message>
     <message>
         <source>The residual is that of a frequency that settles by about %1 Hz in %2 s, which the model does not hold: the resonator&apos;s numbers may be off by more than their deviations. Leave the first seconds out {(--from)|of the range}.</source>
@@ -5009,7 +5009,7 @@
         <translation>Заменить результаты?</translation>
     </message>
     <message>
-        <source>%1 is there already. The new table takes its place when it is whole.</source>
+        <source>%1 already exists. The new table replaces it when it is complete.</source>
         <translation>%1 уже существует. Новая таблица заменит его, когда будет закончена.</translation>
     </message>
     <message>
@@ -5101,7 +5101,7 @@
         <translation>Почему у выбранного набора нет результата, и его предупреждения</translation>
     </message>
     <message>
-        <source>Choose a set: here stands why it has no result, and its warnings.</source>
+        <source>Choose a set to see why it has no result, and its warnings.</source>
         <translation>Выберите набор: здесь будет указано, почему у него нет результата, и его предупреждения.</translation>
     </message>
     <message>
@@ -5113,7 +5113,7 @@
         <translation>Копировать строки</translation>
     </message>
     <message>
-        <source>%1 is there already, and is no table of results: choose another name.</source>
+        <source>%1 already exists and is not a table of results: choose another name.</source>
         <translation>Файл %1 уже есть, и это не таблица результатов: выберите другое имя.</translation>
     </message>
     <message>

@@ -35,7 +35,7 @@ void add_diagnostics(const EstimationSummary& estimation, AnalysisSummary& analy
     }
 }
 
-// What is known of an analysis before its first window is estimated: settings as used, plan,
+// The summary of an analysis before its first window is estimated: settings as used, plan,
 // residual, and the findings of the recording.
 AnalysisSummary summary_before(const Settings& settings, const ConditionedRecording& prepared,
                                const WindowPlan& plan, double rate_hz) {
@@ -106,8 +106,8 @@ struct WindowRange {
     std::int64_t count() const { return end - first; }
 };
 
-// About how long windows take, s: a window and a frame of an ordinary processor core. It decides
-// what is shown when, nothing else.
+// Rough time of windows, s: a window and a frame of an ordinary processor core. Only the order in
+// which windows are shown depends on it.
 double about_s(std::int64_t windows, const WindowPlan& plan, Algorithm algorithm) {
     const double window_s = algorithm == Algorithm::conjugate_gradient ? 5e-6 : 0.2e-6;
     const double frame_s = 15e-9;

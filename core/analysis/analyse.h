@@ -17,8 +17,8 @@ namespace vybeg {
 Result<WindowPlan> plan_of(const WindowSettings& settings, const ConditionedRecording& prepared,
                            const Recording& recording);
 
-// Called before the first window is estimated, with the prepared recording and what is known of the
-// analysis until then. An error ends the analysis.
+// Called before the first window is estimated, with the prepared recording and the
+// summary so far. An error ends the analysis.
 using BeforeWindows = std::function<Status(const ConditionedRecording&, const AnalysisSummary&)>;
 
 // The whole road from a recording to its track, of which `sink` takes the rows while they are made:

@@ -102,7 +102,7 @@ Result<PhasorLog> read_as_phasors(const LogFile& file) {
     return log;
 }
 
-// Of a log whose carrier nobody tells: an assumed delay counts as it does at most.
+// Of a log without a stated carrier: the largest effect of an assumed delay.
 constexpr double high_carrier_hz = 1e4;
 
 IdentifiedRun run_of_powers(const PowerRun& log, const PhasorRun& run,

@@ -17,8 +17,9 @@ namespace vybeg {
 
 // The slow variables of a log in place of a recording, a row per window of its phasors or per row
 // of its powers, with the deviations that their noise gives. f is the mean rate of phase from the
-// window before to the one behind, weighted with power. What no log tells (rms, orthogonality, and
-// where it has no phase alpha and f) is NaN, as are the angles where a_A = |a_B| within the noise.
+// window before to the one after, weighted with power. Values that no log has (rms, orthogonality,
+// and where it has no phase alpha and f) are NaN, as are the angles where a_A = |a_B| within the
+// noise.
 //
 // Of the settings those of the signal count, as for read_phasor_log() and read_power_log(), whose
 // errors are these. In the summary f0_hz is the frequency of reference, NaN without a phase; the

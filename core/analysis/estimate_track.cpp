@@ -214,7 +214,7 @@ private:
         }
     }
 
-    // What is missing where the band-pass reaches beyond the recording was not lost.
+    // Samples missing where the band-pass reaches beyond the recording were not lost.
     void name_transient(WaveEstimate& estimate, std::int64_t window) const {
         if (!has(estimate.flags, Flag::gap)) {
             return;
@@ -245,7 +245,7 @@ std::int64_t floor_div(std::int64_t a, std::int64_t b) {
     return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
-// Adds the windows that begin before frame `before` and end after frame `after`, the frame behind
+// Adds the windows that begin before frame `before` and end after frame `after`, the frame after
 // their last one.
 void add_windows(std::int64_t before, std::int64_t after, Flag flag, const WindowPlan& plan,
                  std::vector<FlaggedRows>& flagged) {

@@ -31,7 +31,7 @@ Result<EstimationSummary> estimate_track(const ConditionedRecording& prepared,
                                          const JobControl& job);
 
 // Which windows of a plan lie over faults of the samples: Flag::clipped over segments at the rail,
-// Flag::gap over segments that stand still, with the frames to each side that a filter of this
+// Flag::gap over segments of a constant value, with the frames to each side that a filter of this
 // reach takes in, and where samples were lost or doubled inside. Ordered by first row; segments of
 // one flag do not overlap.
 std::vector<FlaggedRows> windows_over(const SampleFaults& faults, const WindowPlan& plan,

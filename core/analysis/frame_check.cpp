@@ -71,7 +71,7 @@ ChannelMotion motion_of(const ChannelRows& z) {
     return motion;
 }
 
-// A loop that follows the phase leaves of it what is faster than the loop; across a null of the
+// A loop that follows the phase leaves only its part faster than the loop; across a null of the
 // amplitude it does not come out backward.
 bool is_followed(const ChannelMotion& channel, const ChannelMotion& other) {
     constexpr double still = 0.02;  // part of what a beat turns

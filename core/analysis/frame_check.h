@@ -9,8 +9,8 @@
 
 namespace vybeg {
 
-// What the phasors of both channels tell of their reference, before it is believed, and of what the
-// reference leaves among them. The warnings are without the recording as first argument.
+// Checks of the declared reference by the phasors of both channels, and of the motion that the
+// reference leaves in them. The warnings are without the recording as first argument.
 
 // Both channels hold the same two modes: only with a sign of Y of their own, or with the reference
 // just between modes each of which is in one channel, do they turn against each other.

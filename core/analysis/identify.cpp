@@ -33,7 +33,7 @@ Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& sig
     return run;
 }
 
-// Tolerances of the channels: all, or those that the fit takes for its priors, which are the told
+// Tolerances of the channels: all, or those that the fit takes for its priors, which are the stated
 // ones and that of the gain ratio. A delay of D is a phase at the carrier.
 enum class Taken { all, by_fit };
 ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz, Taken taken) {
@@ -124,8 +124,8 @@ void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& se
 // periods, is free of it.
 void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
     const double told = found.settings.tolerance.rate_ppm.value_or(0) * 1e-6;
-    // What the digits of a file leave open of its rate. A told tolerance is that of one recorder,
-    // so that it leaves the differences between the recordings.
+    // Uncertainty of a rate from the digits in its file. A stated tolerance is that of one
+    // recorder, so that it leaves the differences between the recordings.
     double digits = 0;
     const auto widen = [](Estimate& number, double relative, double size) {
         if (number.given() && relative > 0) {

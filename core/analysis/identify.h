@@ -42,7 +42,7 @@ struct Identification {
 Result<Identification> identify(std::span<const Recording> recordings,
                                 const IdentifySettings& settings, const JobControl& job);
 
-// The same from phasors. `found`: settings and what is known so far of the timing. Errors: those of
+// The same from phasors. `found`: settings and the timing so far. Errors: those of
 // fit_resonator(), phasors_fold, interrupted.
 Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,
                                      const JobControl& job);
@@ -59,8 +59,8 @@ FitOptions fit_options(const IdentifySettings& settings, double f_hz);
 // Why an identification has no drift function; ReasonCode::none where it has one.
 Reason no_drift_function(const Identification& identification);
 
-// The recording check of METHOD section 7 over the whole recording: its own diagnostics, then what
-// the samples and the motion tell. The carrier is looked for as the settings say; where there is
+// The recording check of METHOD section 7 over the whole recording: its own diagnostics, then those
+// of the samples and the motion. The carrier is looked for as the settings say; where there is
 // none, neither lost samples nor a start transient are looked for. Errors: those of the source,
 // interrupted.
 Result<SampleFaults> inspect(const Recording& recording, const SignalSettings& settings,

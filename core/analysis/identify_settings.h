@@ -128,7 +128,7 @@ std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts
 // Reads NAME=X[,NAME=X]: the names above, each at most once. X is a number of zero or more in the
 // parameter's unit, or with a unit after it: deg, rad, mrad (skew, phase-drift), s, ms, us, ns, ps
 // (delay), %, ppm (ratios), ppm, ppb, % (rate). "none" is the default of all. Error:
-// setting_invalid of --tolerance with what is wrong.
+// setting_invalid of --tolerance with the reason.
 Result<Tolerance> read_tolerance(std::string_view text);
 
 // The same text of a tolerance, in the units of its members; "none" where nothing is set. Numbers

@@ -7,7 +7,7 @@ namespace vybeg {
 
 // Fields of a measurement list.
 
-// A name of a column in small letters, Latin or Russian, without the unit behind a comma or in
+// A name of a column in small letters, Latin or Russian, without the unit after a comma or in
 // brackets and with "-" between its words; the usual one of names that mean the same, in Russian
 // too: "Temperature, °C" and "Температура" are temperature-c.
 std::string usual_column(const std::string& name);

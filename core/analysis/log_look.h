@@ -12,7 +12,7 @@
 
 namespace vybeg {
 
-// What a file says of the log in it, and what it leaves open.
+// The settings of a log that its file determines, and those that it leaves open.
 struct LogLook {
     RecordingPreview preview;  // its first lines; of files that are no text there are none
     LogChoice choice;          // the settings given, completed by the file; not given() where its
@@ -24,8 +24,8 @@ struct LogLook {
     std::optional<Error> problem;  // why it cannot be read as `choice` says
 };
 
-// Looks at a file by the columns that the readers of logs know (logs.h). What it
-// is and in which frame follows from the columns that are there: phases of both channels, or the
+// Looks at a file by the columns that the readers of logs know (logs.h). Its kind
+// and frame follow from the columns that are there: phases of both channels, or the
 // frequency or phase of an oscillator, which is fixed where its frequency does not move. The sign
 // of Y and peak or rms follow from no data; those of LabOne are the ones of its manual (X + iY
 // turns as the carrier does, rms). What `given` sets stays. Errors: those of preview_recording(),

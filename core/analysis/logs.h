@@ -47,21 +47,21 @@ inline Result<double> rad_per_unit(const LogFile& file, const LogColumn& angles)
 std::vector<ColumnRole> roles_of_both(PhasorFrame frame);
 std::vector<ColumnRole> roles_of_one(PhasorFrame frame);
 
-// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: what
-// it holds of the carrier; 0 of any other phase. `rad`: per unit of the column.
+// Frequency by which an unwrapped phase goes on by more than half a turn from row to row, Hz: the
+// carrier's part in it; 0 of any other phase. `rad`: per unit of the column.
 double carrier_in(double rad, const LogColumn& phase, const std::vector<double>& time_s);
 
 // Whether a column F holds the deviations of a frequency, about 0, in place of it; `f_ref_hz`: of
-// the reference, 0: not told.
+// the reference, 0: not stated.
 bool holds_deviations(const LogColumn& frequency, double f_ref_hz);
 
 // Reads a log of a lock-in or a phasemeter in the frame that the choice declares. One table holds
 // both channels, or options.channel_d_file the one of D. A filter of the lock-in delays and
 // lowers the phasors, and correlates their noise; it leaves frequencies, decay and axes as they
-// are, because it commutes with the motion. What it leaves at twice the carrier is taken out
-// (remove_image()). The noise is what a linear recurrence z(t + T) = A z(t) leaves. A frame that
-// the rows contradict is an error. Errors: setting_invalid, rate_unknown, too_few_frames, those of
-// column_wishes(), read_log() and angle_factor().
+// are, because it commutes with the motion. The remainder at twice the carrier is taken out
+// (remove_image()). The noise is the residual of a linear recurrence z(t + T) = A z(t). A frame
+// that the rows contradict is an error. Errors: setting_invalid, rate_unknown, too_few_frames,
+// those of column_wishes(), read_log() and angle_factor().
 Result<PhasorLog> read_phasor_log(const LogFile& file);
 
 // What the columns of a log without a phase may be: E, R, S, Q, or a, b, theta, those of a track,

@@ -128,7 +128,7 @@ private:
         return {};
     }
 
-    // They stand in the table of results as they are, where a table program runs them.
+    // The table of results has them as they are, and a table program runs them.
     void find_formulas() {
         for (const std::string& name : list_.other_columns) {
             if (is_formula(name)) {

@@ -40,8 +40,8 @@ void describe(Archive&& archive, Owner& conditions) {
     archive("comment", conditions.comment);
 }
 
-// A recording of a set: its file and how it is read, the conditions it was made under, and, from
-// reading it, what it contains.
+// A recording of a set: its file and how it is read, the conditions it was made under, and its
+// content, known once it was read.
 struct RecordingRef {
     std::string file;  // as the list names it
     std::filesystem::path path;
@@ -107,11 +107,11 @@ Status check_conditions(const MeasurementSet& set);
 std::string gyro_of(const MeasurementSet& set);
 std::string list_date_of(const MeasurementSet& set);
 
-// The conditions of a recording as a list has them, column by column; empty: not told.
+// The conditions of a recording as a list has them, column by column; empty: not stated.
 std::vector<std::pair<std::string, std::string>> fields_of(const Conditions& conditions);
 
 // bias_v, temperature_c, exchanged, operator, comment: columns of a list, and their fields. Fields
-// of recordings that differ stand side by side with ";" between; empty: not told.
+// of recordings that differ are joined by ";"; empty: not stated.
 std::vector<std::pair<std::string, std::string>> conditions_of(const MeasurementSet& set);
 
 // The fields of the k-th unknown column in the same way.

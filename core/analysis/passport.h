@@ -20,9 +20,9 @@ struct Passport : ResonatorNumbers {
     static constexpr int schema = 2;
 
     std::string program;
-    std::string gyro;  // empty: not told, as in a file of before
-    std::string date;  // ISO 8601; empty: not told
-    std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those told
+    std::string gyro;  // empty: not stated, as in older files
+    std::string date;  // ISO 8601; empty: not stated
+    std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those stated
     std::vector<RecordingRef> inputs;                             // name and content
     std::vector<std::pair<std::string, std::string>> settings;    // name and value, as options
     ModeOrder mode_order = ModeOrder::frequency;
@@ -98,7 +98,7 @@ std::size_t count_compared(const std::vector<Difference>& differences);
 
 // Compares every parameter of a resonator and of its modes with a value on at least one side.
 // Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
-// both sides independent, and also the limit of a frequency and what `options` tell. Q follows from
+// both sides independent, and also the limit of a frequency and those of `options`. Q follows from
 // frequency and decay time: it has changed only where one of these has. Not comparable: one side
 // has no value, with its reason. Modes are compared if both sides name them alike. If the mean
 // frequency or the decay time of the resonator is not comparable, those of the runs' directions are
@@ -110,7 +110,7 @@ std::vector<Difference> compare(const Passport& passport, const ResonatorFit& no
 // The warning that a passport is another gyro's; nothing where either side names none.
 std::optional<Diagnostic> other_gyro(const Passport& passport, const std::string& gyro);
 
-// A set and the resonator found behind its recordings.
+// A set and the resonator identified from its recordings.
 struct SetResult {
     std::string program;  // name and version of the one that identified it
     MeasurementSet set;   // its recordings with what they contain, as identification.runs

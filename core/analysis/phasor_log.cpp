@@ -200,7 +200,7 @@ Result<double> turn_of_frequency(const PhasorChoice& choice, const LogColumn& fr
     return mean;
 }
 
-// The frequency to which a phase column is relative, where the oscillator's own stands beside it:
+// The frequency to which a phase column is relative, where the log also has the oscillator's own:
 // its mean less the rate of the phase; of a phase that is wrapped by the smallest step from row to
 // row.
 double frequency_behind(double rad, const LogColumn& phase, const LogColumn& frequency,
@@ -371,7 +371,7 @@ Result<LogRows> read_rows(const LogFile& file) {
     rows.c.resize(count);
     rows.d.resize(count);
     if (t.size() != t_of_d.size()) {
-        // Behind the name of the log, which comes before all that is said of it.
+        // After the name of the log, the first argument of every warning about it.
         rows.warnings.push_back(
             {DiagnosticKind::channels_unequal,
              {count_arg(static_cast<std::int64_t>(t.size())), d_file.filename().string(),

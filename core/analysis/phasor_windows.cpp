@@ -190,7 +190,7 @@ FilteredNoise filtered_noise(const Band& band, double f_hz, std::int64_t window,
     return noise;
 }
 
-// A window whose noise power stands this many of its deviations above the median is disturbed, and
+// A window whose noise power is this many of its deviations above the median is disturbed, and
 // has its own noise; all others have the median, so that weights do not scatter.
 constexpr double disturbed = 6;
 
@@ -289,7 +289,7 @@ double power_of(const WindowMean::Estimate& estimate) {
 std::size_t first_of_decay(const Estimates& estimates, const WindowPlan& plan,
                            std::int64_t filter_reach) {
     constexpr double silence = 1e-3;
-    // The strongest window itself may come late where noise is all that tells the first ones apart.
+    // The strongest window itself may come late where the first ones differ by their noise alone.
     constexpr double strong = 0.9;
     const auto place = [&](auto found) {
         return static_cast<std::size_t>(found - estimates.begin());
@@ -322,8 +322,8 @@ void leave_out_strike(const WindowPlan& plan, double rate_hz, std::int64_t filte
     }
 }
 
-// Degrees of freedom of a window's noise power: behind a band-pass only what noise the band leaves
-// to a window's length, less the two numbers of each channel that stand for the wave.
+// Degrees of freedom of a window's noise power: after a band-pass only those of the noise in
+// the band over a window's length, less the two numbers of each channel that describe the wave.
 double noise_freedom(const WindowMean& mean, const ConditionedRecording& prepared,
                      double window_s) {
     if (!prepared.filter) {
@@ -346,7 +346,7 @@ double median_power(const Estimates& estimates, double freedom) {
 }
 
 // Variance per sample of the white noise that has the density beside the carrier. The residual
-// knows it best where it is white, but counts what lies far from the carrier, too, and behind a
+// knows it best where it is white, but includes noise far from the carrier, and after a
 // band-pass the band's edges.
 double noise_at_carrier(double residual, const CarrierLines& lines,
                         const ConditionedRecording& prepared) {
@@ -389,8 +389,8 @@ public:
         }
         return lost_;
     }
-    // Of the steps passed, the frames behind which the phase is unknown against that before,
-    // counted with what was lost.
+    // Of the steps passed, the frames after which the phase is unknown against that before,
+    // counted with the lost samples.
     const std::vector<std::int64_t>& phase_breaks() const { return breaks_; }
 
 private:

@@ -53,7 +53,7 @@ struct WindowChoice {
 // neither their beat nor a carrier given beside them is aliased. Where they turn faster at f0, the
 // frequency of demodulation moves to the middle of the modes' lines (CarrierLines), and a window
 // that the engineer did not choose is shortened. Errors: those of prepare(), carrier_not_near
-// where the engineer gave f0 and no line stands there, fit_window_too_short, window_too_long,
+// where the engineer gave f0 and there is no line, fit_window_too_short, window_too_long,
 // fit_window_turns where a window that the engineer chose turns by more than a quarter,
 // fit_beat_too_fast where two periods are too long.
 Result<WindowChoice> choose_windows(const Recording& recording, const SignalSettings& settings,
@@ -73,10 +73,10 @@ struct IdentifiedRun {
 };
 
 // Phasors of one recording, of the windows that count, for the identification of its resonator
-// (METHOD section 8), and what is known of it.
+// (METHOD section 8), with its summary.
 struct RecordedRun {
     std::string name;
-    double rate_relative_sd = 0;  // what the digits of its file leave open of its clock
+    double rate_relative_sd = 0;  // of its clock, from the digits in its file
     PhasorRun phasors;
     IdentifiedRun told;  // without track and wave
     Timing timing = {};  // of recordings
@@ -84,16 +84,16 @@ struct RecordedRun {
 
 // Demodulates windows of `length` samples, one after the other, at the fixed carrier
 // choice.prepared.f0_hz (WindowMean). Times count from the start of the recording. Windows with
-// missing or clipped samples and those over a lost sample are left out; the time behind lost
-// samples counts them; where the phase does not tell their number it counts the smallest, and
-// PhasorRun::breaks names the place. Left out is also what is no free decay yet: all up to
-// the strike where a window before it has less than a thousandth of its power, and, behind a
+// missing or clipped samples and those over a lost sample are left out; the time after lost
+// samples counts them; where the phase leaves their number open it counts the smallest, and
+// PhasorRun::breaks names the place. Windows before the free decay are left out, too: all up to
+// the strike where a window before it has less than a thousandth of its power, and, after a
 // band-pass, as much again as the filter reaches, through which a strike still rings. The angle of
 // the first electrode is subtracted.
 //
 // The deviations are those of the noise at the carrier: of the windows' residual where the noise is
-// white, else of the density between the lines (CarrierLines), behind a band-pass with what it
-// lets through of a window's bandwidth. A window whose residual stands out has a
+// white, else of the density between the lines (CarrierLines), after a band-pass with the part of a
+// window's bandwidth that it passes. A window whose residual stands out has a
 // deviation in proportion.
 //
 // Precondition: the plan's windows lie in the prepared range, hop = length, at least

@@ -194,7 +194,7 @@ Result<std::shared_ptr<const SampleSource>> with_gaps_for_lost(const Recording& 
     return with_gaps(recording.source, faults.steps);
 }
 
-// The source behind calibration and band-pass, whose gain is 1 at the carrier where that is known.
+// The source after calibration and band-pass, whose gain is 1 at the carrier where that is known.
 Result<std::shared_ptr<const SampleSource>> condition(std::shared_ptr<const SampleSource> source,
                                                       const Calibration& calibration,
                                                       const std::optional<Band>& filter,
@@ -239,7 +239,7 @@ Result<ConditionedRecording> made_ready(const Recording& recording, const Signal
     prepared.f0_hz = f0;
     prepared.ahead = *condition(raw, prepared.calibration, settings.filter, rate, f0);
     prepared.rate_relative_sd = recording.rate_relative_sd;
-    // What is read from here on goes into the windows, and past the check on its way.
+    // The windows, which read from here on, pass all samples through the check.
     prepared.check = std::make_shared<FaultCheck>(f0, rate);
     const auto watched = checked_source(raw, prepared.check);
     prepared.source = *condition(watched, prepared.calibration, settings.filter, rate, f0);

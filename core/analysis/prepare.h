@@ -31,7 +31,7 @@ struct ConditionedRecording {
     std::optional<Band> filter;
     double rate_relative_sd = 0;          // of the recording
     std::int64_t filter_reach = 0;        // frames to each side of which the band-pass takes in
-    std::optional<double> noise_in_band;  // sd per sample, behind a band-pass (window_noise.h)
+    std::optional<double> noise_in_band;  // sd per sample, after a band-pass (window_noise.h)
     Calibration calibration;              // with the offsets that were found
     std::shared_ptr<FaultCheck> check;    // sees the samples of `source` as they are read
     std::vector<Diagnostic> diagnostics;

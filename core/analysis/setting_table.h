@@ -34,7 +34,7 @@ Status validate(const Settings& settings);
 Status validate(const IdentifySettings& settings);
 
 // Every setting that has a part in the result; those of logs where they are given. Settings of
-// single recordings stand with "; " between them where they differ.
+// single recordings are joined by "; " where they differ.
 std::vector<NamedValue> settings_list(const Settings& settings);
 std::vector<NamedValue> settings_list(const IdentifySettings& settings);
 

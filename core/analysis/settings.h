@@ -27,7 +27,7 @@ struct Band {
 // Everything the engineer chooses about an analysis. The defaults are those of the
 // command line; setting_table.h holds a row for each field.
 
-// Which samples are analysed, and what is done to them before the windows.
+// The samples that are analysed, and their conditioning before the windows.
 struct SignalSettings {
     std::optional<double> f0_hz;  // skips the search for the carrier
     std::optional<double> from_s;
@@ -35,7 +35,7 @@ struct SignalSettings {
     std::optional<Band> band;    // where to look for the carrier
     std::optional<Band> filter;  // zero-phase band-pass before everything
     Calibration calibration;
-    bool repair_lost = false;  // make gaps of lost samples, so that time runs on behind them
+    bool repair_lost = false;  // make gaps of lost samples, so that time runs on after them
 
     friend bool operator==(const SignalSettings&, const SignalSettings&) = default;
 };

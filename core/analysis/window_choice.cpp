@@ -318,11 +318,11 @@ Result<ConditionedRecording> prepared_at(double f_hz, const ConditionedRecording
 // Looks at up to 32 segments of the prepared range, each of 64 windows (`window` samples) where
 // the range is long enough, with a Kaiser window whose side lobes of -150 dB keep an offset and
 // other modes out of the carrier's surroundings. A line is a peak of the mean spectrum
-// that stands above its noise and above 1e-7 of the strongest one. The modes' lines are those
+// above its noise and above 1e-7 of the strongest one. The modes' lines are those
 // within 80 Hz (at most an eighth of the carrier, and within the band-pass) of the strongest line
 // of the main lobe around f0; where the main lobe has none and the engineer gave f0, of the
 // strongest line within 400 Hz (at most a third of f0). Errors: those of the source,
-// carrier_not_near where the engineer gave f0 and no line stands there, interrupted.
+// carrier_not_near where the engineer gave f0 and there is no line, interrupted.
 Result<CarrierLines> carrier_lines(const ConditionedRecording& prepared,
                                    const SignalSettings& settings, std::int64_t window,
                                    double rate_hz, const JobControl& job) {

@@ -36,7 +36,7 @@ constexpr double least_ratio = 12;
 constexpr double rare = 4.75;
 // chi^2 of a phasor pair, 4 degrees of freedom, beyond which lies one in 10^8.
 constexpr double rare_phasors = 42;
-// Behind a band-pass a window shorter than the inverse bandwidth leaves the quadratic part of four
+// After a band-pass a window shorter than the inverse bandwidth leaves the quadratic part of four
 // phasor components.
 constexpr double least_freedom = 4;
 constexpr double pooled_freedom = 100;
@@ -288,7 +288,7 @@ bool NoiseLevel::all_move(std::span<const Judged> windows) const {
         }
     }
     if (known_ || apart.size() < 4 || shorts_.size() < 4) {
-        return false;  // behind a band-pass the short windows are no independent witnesses
+        return false;  // after a band-pass the short windows are not independent
     }
     // A median scatters by 1.25 times as much as a mean.
     const double scatter = 1.25 * std::sqrt(2 / (4 * static_cast<double>(shorts_.size())));

@@ -21,12 +21,12 @@ std::int64_t noise_window(std::int64_t length, double f0_hz, double rate_hz);
 // The noise about a stretch of a recording, and which of its windows hold no steady wave.
 //
 // Such a window leaves a residual, but the residual alone does not show it: noise, hum and offset
-// leave one too. Short windows of the same samples leave those and not the motion, and stand
-// against events and against a motion that all long windows share. Windows too short to hold others
+// leave one too. Short windows of the same samples leave those and not the motion, and thus
+// show events and a motion that all long windows share. Windows too short to hold others
 // are compared with each other: what all of them have alike is no event.
 class NoiseLevel {
 public:
-    // `noise`: known, of windows of noise_window() samples and of the whole band, behind a
+    // Known noise of windows of noise_window() samples and of the whole band, after a
     // band-pass.
     struct Known {
         EquivalentNoise of_short;
@@ -34,7 +34,7 @@ public:
         double in_band = 0;  // noise of a sample, sd
         double share = 1;    // of the band in the spectrum, independent samples in one
     };
-    // What is judged of a window.
+    // Measures of one window.
     struct Judged {
         double variance = 0;  // of its steady noise
         double apart = 0;     // apart()
@@ -89,14 +89,14 @@ private:
 // of the steady noise counts as 100 degrees of freedom beside those of the window.
 void pool_noise(std::span<WaveEstimate> windows, std::int64_t length, double independent);
 
-// Behind a band-pass the noise is not white: what is left of it inside a window follows the wave,
-// and the residual shows a part only. What a window's estimates are uncertain by is told by the
-// noise's density about the carrier, which the filter leaves as it was.
+// After a band-pass the noise is not white: the fitted wave of a window takes up much of it, and
+// the residual shows a part only. The uncertainty of a window's estimates follows from the noise's
+// density about the carrier, which the filter leaves as it was.
 
 // Noise inside the passband as white noise of the same density, sd per sample and channel,
 // recording units: the median of the spectrum from low_hz to high_hz, which the lines of the modes
 // do not move, of the longest run without missing samples, up to 2^18 frames, of [first, end) of a
-// source behind that band-pass. NaN where that is too short to have a frequency inside the band.
+// source after that band-pass. NaN where that is too short to have a frequency inside the band.
 // Errors: those of the source; interrupted.
 Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std::int64_t end,
                              const Band& band, double rate_hz, const JobControl& job);
@@ -108,7 +108,7 @@ Result<double> noise_in_band(const SampleSource& source, std::int64_t first, std
 EquivalentNoise equivalent_noise(double noise, const Band& band, double f0_hz, std::int64_t n,
                                  double rate_hz);
 
-// Correlation of the errors of f of two windows of n samples behind the band-pass, by the hops
+// Correlation of the errors of f of two windows of n samples after the band-pass, by the hops
 // between them, from 1 to where it has died away.
 std::vector<double> frequency_correlation(const Band& band, double f0_hz, std::int64_t n,
                                           std::int64_t hop, double rate_hz);

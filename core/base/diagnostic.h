@@ -11,7 +11,7 @@
 
 namespace vybeg {
 
-// What deserves to be known about a recording or an analysis but does not stop it, by the rows of
+// A note or warning about a recording or an analysis, which does not stop it, by the rows of
 // diagnostic_rows.h.
 enum class DiagnosticKind {
 #define ROW(kind, severity, sentence) kind,
@@ -29,7 +29,7 @@ struct Diagnostic {
     friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
-// The name of a kind as it stands in JSON, e.g. "time-gap".
+// The name of a kind in JSON, e.g. "time-gap".
 std::string kind_name(DiagnosticKind kind);
 
 // Weight of a diagnostic: the worst are shown first.

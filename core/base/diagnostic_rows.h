@@ -87,7 +87,7 @@ ROW(phase_step, warning,
     Sentence::tr("A step of %1 rad in the phase of both channels at %2 s: samples were lost or "
                  "doubled. The phase shows their number only modulo the period: doubled %3, lost "
                  "%4, or more than 100. Windows over the place are flagged."))
-// Places beyond those told one by one.
+// Places beyond those listed one by one.
 ROW(more_samples_lost, warning,
     Sentence::tr("Further places where samples were lost or doubled: %1."))
 ROW(channel_constant, warning, Sentence::tr("Channel %1 is constant: it holds no signal."))
@@ -104,8 +104,8 @@ ROW(mains, warning,
     Sentence::tr(
         "A line of the mains at %1 Hz, %2 % of the carrier. A band-pass removes it{ (--filter)}."))
 ROW(start_transient, warning,
-    Sentence::tr("The first %1 s do not decay {as what follows. The range can leave them out "
-                 "(--from)|like the rest. The range can leave them out}."))
+    Sentence::tr("The first %1 s do not decay like the rest of the recording. The range can "
+                 "leave them out{ (--from)}."))
 ROW(gaps_inserted, warning,
     Sentence::tr(
         "Lost samples made gaps, as asked for: %1; places: %2. Windows over them have no values."))
@@ -254,7 +254,7 @@ ROW(misfit_settling, serious,
     Sentence::tr("The residual is that of a frequency that settles by about %1 Hz in %2 s, which "
                  "the model does not hold: the resonator's numbers may be off by more than their "
                  "deviations. Leave the first seconds out {(--from)|of the range}."))
-// %3: what it may be; %4: whether a filter helps (words).
+// %3: its possible origin; %4: whether a filter helps (words).
 ROW(misfit_neighbour, serious,
     Sentence::tr("The residual holds a line at about %1 Hz, %2 % of the wave: %3, which the model "
                  "does not hold. Split, axes, rotation and the wave's own numbers may be off by "

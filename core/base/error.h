@@ -25,7 +25,7 @@ struct Error {
     friend bool operator==(const Error&, const Error&) = default;
 };
 
-// The name of a code as it stands in JSON, e.g. "file-missing".
+// The name of a code in JSON, e.g. "file-missing".
 std::string code_name(ErrorCode code);
 
 // Exit status of the command line for an error (help, files.html): 2, 3, 4, 5 or 130.
@@ -39,7 +39,7 @@ std::vector<MessageArg> message_args(const Error& error);
 // The whole English sentence: what, where, why, what to do.
 std::string english(const Error& error);
 
-// The error behind an exception that no part of the program expects: out_of_memory, out_of_threads,
+// The error of an exception that no part of the program expects: out_of_memory, out_of_threads,
 // or program_fault for a defect.
 Error error_of(const std::exception_ptr& exception);
 

@@ -32,7 +32,7 @@ ROW(format_damaged, bad_input, Sentence::tr("%1: the %2 file is damaged: %3. Cop
 ROW(format_unsupported, bad_input,
     Sentence::tr(
         "%1: this %2 file holds %3, which is not read here. Export the recording as WAV or CSV."))
-// %3: what is beyond which limit; %4: what to do.
+// %3: the quantity and its limit; %4: advice.
 ROW(format_limit, bad_input,
     Sentence::tr("%1: this %2 file is beyond a limit of this program: %3. %4."))
 ROW(text_not_a_number, bad_input,
@@ -106,7 +106,7 @@ ROW(column_missing, bad_input,
 ROW(angle_unit_unknown, bad_input,
     Sentence::tr("%1: column \"%2\" does not tell the unit of its angles. {Give it with "
                  "--angle-unit: deg, rad or cyc|Choose degrees, radians or turns}."))
-// %2: what it holds in place of samples; %3: options to read it with.
+// %2: its content in place of samples; %3: options to read it with.
 ROW(holds_log, bad_input,
     Sentence::tr(
         "%1 is a log, no recording: it holds %2. {Read it with %3, options of identify, compare, "

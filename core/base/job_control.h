@@ -7,10 +7,10 @@
 
 namespace vybeg {
 
-// How a long computation hears that it should stop and tells how far it has come.
+// How a long computation learns that it should stop and reports its progress.
 // `progress` takes 0..1 and may be called from any thread, never from two at once. `clock` lends
-// the caller's monotonic clock, in seconds: core has none of its own, and only tells with it where
-// the time went; without one every duration is zero.
+// the caller's monotonic clock, in seconds: core has none of its own, and only reports with it
+// where the time went; without one every duration is zero.
 class JobControl {
 public:
     JobControl() = default;
@@ -34,7 +34,7 @@ public:
     // The same job for a part of it that has no progress of its own.
     JobControl silent() const { return JobControl(stop_, {}, clock_); }
 
-    // The same job, which tells its progress to someone else.
+    // The same job, with its progress reported to another function.
     JobControl with_progress(std::function<void(double)> progress) const {
         return JobControl(stop_, std::move(progress), clock_);
     }

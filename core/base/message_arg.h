@@ -78,7 +78,7 @@ std::string fill_template(const std::string& text, const std::vector<std::string
 std::string english(const MessageArg& arg);
 std::string english(const std::string& text, const std::vector<MessageArg>& args);
 
-// One code of errors or diagnostics. %1, %2, ... stand for arguments in its English sentence, which
+// One code of errors or diagnostics. %1, %2, ... are arguments in its English sentence, which
 // the desktop program translates (context "Message") before it fills it. Where command line and
 // window say different things it has both, {command line|window}, or {command line} alone.
 struct MessageRow {

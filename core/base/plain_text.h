@@ -7,10 +7,10 @@
 
 namespace vybeg {
 
-// Text from a file, or a file's name, as it may stand in a terminal, a header or a message: valid
+// Text from a file, or a file's name, fit for a terminal, a header or a message: valid
 // UTF-8 in one line. Control characters (C0, DEL, C1), line and paragraph separators and those that
 // turn the direction of writing are shown as escapes, e.g. "\x1b" or "\u202e", and so are bytes
-// that are no UTF-8. What is plain already is returned as it is.
+// that are no UTF-8. Text that is plain already is returned unchanged.
 std::string plain_text(std::string_view text);
 
 // Whether a character is an ASCII digit, in any locale.

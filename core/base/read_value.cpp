@@ -11,7 +11,7 @@
 namespace vybeg {
 namespace {
 
-// A unit that may stand after a number, in units of the member's own.
+// A unit that may follow a number, in units of the member's own.
 struct UnitSuffix {
     const char* own;  // unit of the member
     const char* suffix;

@@ -12,11 +12,11 @@
 namespace vybeg {
 
 // Values of options as text, read without regard to the locale. `option` is the name on the command
-// line, dashes included. Errors: setting_invalid with the option, the text and what is allowed.
+// line, dashes included. Errors: setting_invalid with the option, the text and the allowed values.
 
 Error refused_value(MessageArg option, MessageArg text, MessageArg allowed);
 
-// A number, plain or with a unit after it that `unit` can be told in: 25.4ms in s, 0.1deg in rad,
+// A number, plain or with a unit after it that converts to `unit`: 25.4ms in s, 0.1deg in rad,
 // 5kHz in Hz, 2% and 5ppm of a ratio (""). Nothing for any other text.
 std::optional<double> number_with_unit(std::string_view text, std::string_view unit);
 

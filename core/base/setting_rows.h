@@ -159,7 +159,7 @@ SettingRow<S> number_row(SettingRow<S> row, Access access, Bounds bounds = {}) {
         [=, option = row.option()](double value) { return within(bounds, option, value); });
 }
 
-// A number of 1 or more, for which a field of 0 stands where it is not set.
+// A number of 1 or more; the field is 0 where it is not set.
 template <class S, class Access>
 SettingRow<S> count_row(SettingRow<S> row, Access access, const std::string& unset, Bounds bounds) {
     row.bounds = {bounds};

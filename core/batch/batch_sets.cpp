@@ -64,7 +64,7 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
     return std::filesystem::exists(path, unknown) ? path.string() : "";
 }
 
-// Value of the list's column gyro_type for a set; empty: not told. Errors: conditions_differ.
+// Value of the list's column gyro_type for a set; empty: not stated. Errors: conditions_differ.
 Result<std::string> gyro_type_of(const MeasurementSet& set) {
     std::string type;
     for (const RecordingRef& recording : set.recordings) {

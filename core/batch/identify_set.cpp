@@ -1,7 +1,7 @@
 #include "core/batch/identify_set.h"
 
 #include "core/analysis/analyse_logs.h"
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 #include "core/analysis/measurement_list.h"
 #include "core/analysis/prepare.h"
 #include "core/base/job_control.h"
@@ -27,7 +27,7 @@ Result<PassportComparison> open_passport(const std::string& path, const JobContr
 }
 
 Status hash_all(OpenSet& open, std::stop_token stop) {
-    std::list<std::pair<RecordingRef&, HashBeside>> beside;
+    std::list<std::pair<RecordingRef&, BackgroundHash>> beside;
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         if (RecordingRef& told = open.set.recordings[k]; told.sha256.empty()) {
             beside.emplace_back(
@@ -129,7 +129,7 @@ Status check_parts(const MeasurementSet& set) {
 
 }  // namespace
 
-HashBeside::HashBeside(const Recording& recording, int threads, std::stop_token stop)
+BackgroundHash::BackgroundHash(const Recording& recording, int threads, std::stop_token stop)
     : interrupted_(std::move(stop), [this] { given_up_.request_stop(); }) {
     prepare_sha256();
     hash_ = std::async(threads == 1 ? std::launch::deferred : std::launch::async,

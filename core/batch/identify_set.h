@@ -20,12 +20,12 @@ namespace vybeg {
 
 // The hash of a recording, made beside other work by a thread of its own, or, where there is to be
 // one thread alone, when it is asked for. The thread stops where the object goes.
-class HashBeside {
+class BackgroundHash {
 public:
-    HashBeside(const Recording& recording, int threads, std::stop_token stop);
-    ~HashBeside() { given_up_.request_stop(); }
-    HashBeside(const HashBeside&) = delete;
-    HashBeside& operator=(const HashBeside&) = delete;
+    BackgroundHash(const Recording& recording, int threads, std::stop_token stop);
+    ~BackgroundHash() { given_up_.request_stop(); }
+    BackgroundHash(const BackgroundHash&) = delete;
+    BackgroundHash& operator=(const BackgroundHash&) = delete;
 
     Result<std::string> get() { return hash_.get(); }
 
@@ -53,9 +53,10 @@ struct OpenSet {
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);
 
-// Tells the set what its recordings contain; hashes those without a SHA-256, all beside each other.
-// Of a set of logs it reads these, too. Errors: same_recording where two have the same file content
-// and the same two channels, those of recording_sha256(), read_phasor_log() and read_power_log().
+// Reads the contents of the recordings into the set; hashes those without a SHA-256, all beside
+// each other. Of a set of logs it reads these, too. Errors: same_recording where two have the same
+// file content and the same two channels, those of recording_sha256(), read_phasor_log() and
+// read_power_log().
 Status read_contents(OpenSet& open, std::stop_token stop);
 
 // Precondition: read_contents(). Errors: those of identify(), file_changed.

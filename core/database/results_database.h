@@ -37,7 +37,7 @@ struct HistoryPoint {
     double time_s = 0;   // of the date, iso_seconds(); NaN: there is none
     Estimate f_mean_hz;  // mean frequency, which follows the temperature
     Estimate value;      // without one: NaN with the reason
-    // Of the recordings that tell them; NaN: none does. The temperature is their mean.
+    // Of the recordings that state them; NaN: none does. The temperature is their mean.
     double bias_v = 0;
     double temperature_c = 0;
     bool exchanged = false;
@@ -56,7 +56,7 @@ struct StoredParameter {
 struct StoredResult {
     std::string key;   // what makes it the same result: SHA-256 of its recordings and settings
     std::string set;   // name in its list
-    std::string gyro;  // empty: not told
+    std::string gyro;  // empty: not stated
     StoredDate date;
     std::string program;                   // name and version
     std::string model;                     // "structured" or "free"

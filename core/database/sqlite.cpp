@@ -86,7 +86,7 @@ SqliteConnection::SqliteConnection(const std::string& path, std::function<bool(i
     sqlite3_db_config(opened, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     run("PRAGMA cell_size_check = ON");
     run("PRAGMA foreign_keys = ON");
-    // A row that was told to be there is there after a loss of power, too.
+    // A row reported as stored survives a loss of power.
     run("PRAGMA synchronous = EXTRA");
 }
 

@@ -21,7 +21,7 @@ struct SqliteFailure : std::runtime_error {
         : std::runtime_error(text), code(result), system_error(system) {}
 
     int code;          // SQLite's, extended
-    int system_error;  // errno of the call of the system behind it; 0: none
+    int system_error;  // errno of the failed system call; 0: none
 };
 
 class SqliteConnection {

@@ -237,7 +237,7 @@ void write_parameters(const SqliteConnection& connection, std::int64_t id,
     }
 }
 
-// A column, or what stands for it in a database of before.
+// A column, or its substitute in a database of an older schema.
 std::string column_since(const SqliteConnection& connection, int schema, const char* column,
                          const char* otherwise) {
     SqliteStatement version(connection, "PRAGMA user_version");

@@ -33,7 +33,7 @@ struct SeriesNoise {
 };
 
 struct ColouredFit {
-    Eigen::VectorXd coefficients;  // of the regressors; empty where the rows do not tell them
+    Eigen::VectorXd coefficients;  // of the regressors; empty where the rows do not determine them
     Eigen::MatrixXd covariance;
     SeriesNoise noise;
 };

@@ -10,7 +10,7 @@
 
 namespace vybeg {
 
-// How whole-angle logs are read, and how well the channels behind their angle are known.
+// How whole-angle logs are read, and how well the channels of their angle are known.
 struct DriftSettings {
     OpenOptions open;
     LogChoice log;        // without phasors
@@ -26,14 +26,14 @@ const std::vector<SettingRow<DriftSettings>>& drift_settings();
 // Names and texts as on the command line, with the tolerances in use.
 std::vector<NamedValue> settings_list(const DriftSettings& settings);
 
-// A drift with what it was computed from; of the logs name and SHA-256 are enough.
+// A drift with its logs, of which name and SHA-256 are enough, and settings.
 struct DriftOutcome {
     std::vector<WholeAngleLog> logs;
     DriftSettings settings;
     WholeAngleDrift drift;
 };
 
-// Gain ratio and skew with their tolerances, in place of those that are not told the usual ones.
+// Gain ratio and skew with their tolerances, in place of those that are not stated the usual ones.
 ChannelTolerance pick_offs(const Tolerance& tolerance);
 
 }  // namespace vybeg

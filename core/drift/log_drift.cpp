@@ -41,8 +41,8 @@ double drifted(double theta, double seconds, const Terms& drift) {
     return theta + seconds / 6 * (first + 2 * second + 2 * third + fourth);
 }
 
-// The integrals at the rows of a path. Between rows the wave drifts, and what it then lacks of the
-// next row is spread evenly: a straight line between rows 3 degrees apart made the turn 1e-6 of
+// The integrals at the rows of a path. Between rows the wave drifts, and its remaining distance to
+// the next row is spread evenly: a straight line between rows 3 degrees apart made the turn 1e-6 of
 // itself wrong by a drift of 2 % of it.
 std::vector<Terms> integrals_along(const Path& path, const Terms& drift) {
     constexpr double straight = 1e-3;  // rad: a line is as good
@@ -75,7 +75,7 @@ std::vector<Terms> integrals_along(const Path& path, const Terms& drift) {
     return sums;
 }
 
-// Rows of a stretch, so many merged into one; `value` is the row with the measured number behind
+// Rows of a stretch, so many merged into one; `value` is the row with the measured number after
 // its regressors.
 template <class Value>
 FitSegment segment_of(const std::vector<double>& time_s, std::size_t merged, Eigen::Index columns,

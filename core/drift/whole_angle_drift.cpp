@@ -15,7 +15,7 @@
 namespace vybeg {
 namespace {
 
-// Where the terms of a harmonic stand, and how many they are.
+// The place of the terms of a harmonic, and their number.
 struct Place {
     int harmonic;
     Eigen::Index first;
@@ -74,9 +74,9 @@ Eigen::VectorXd seen_of(const Eigen::VectorXd& drift, Eigen::Index error) {
 
 // Errors of the channels make a fourth harmonic of the turn m: m (gain cos 4 theta - skew sin 4
 // theta). They are unknowns of all logs with a prior of their tolerance, and logs that turn
-// differently tell them from the drift. Solved for the drift at the mean turn: the turn of a log
-// alone takes nothing from its digits. What they make of the drift itself is alike in all logs, and
-// that of the second harmonic, 3/4 of the gain's error of it, is in no other number.
+// differently separate them from the drift. Solved for the drift at the mean turn: the turn of a
+// log alone takes nothing from its digits. Their effect on the drift itself is alike in all logs,
+// and that on the second harmonic, 3/4 of the gain's error of it, is in no other number.
 Mean mean_of(const std::vector<const LogDrift*>& logs, const ChannelTolerance& channels,
              Eigen::Index first, Eigen::Index count) {
     Eigen::VectorXd centre = Eigen::VectorXd::Zero(log_terms);
@@ -90,7 +90,7 @@ Mean mean_of(const std::vector<const LogDrift*>& logs, const ChannelTolerance& c
     struct SeenError {
         Eigen::Index error;       // as of seen_of()
         double weight;            // of its prior
-        Eigen::VectorXd of_turn;  // what it makes of a turn of 1: a fourth harmonic
+        Eigen::VectorXd of_turn;  // its effect on a turn of 1: a fourth harmonic
     };
     std::vector<SeenError> errors;
     const std::array tolerances{channels.kappa, channels.skew_rad};
@@ -135,7 +135,7 @@ Mean mean_of(const std::vector<const LogDrift*>& logs, const ChannelTolerance& c
         mean.chi2 += solved[at] * solved[at] * errors[k].weight;
         squares += solved[at] * solved[at] + inverse(at, at);
     }
-    // From what is solved for to the drift: without what the errors make of it.
+    // From the unknowns to the drift, without the effect of the errors.
     Eigen::MatrixXd to_drift = Eigen::MatrixXd::Identity(count, size);
     Eigen::VectorXd drift = centre;
     for (int pass = 0; pass < 2; ++pass) {  // the mean holds the errors of the turn, too
@@ -251,7 +251,7 @@ void warn_of_one_turn(WholeAngleDrift& found) {
     }
 }
 
-// Returns the errors of the channels that all logs together tell.
+// Returns the errors of the channels that all logs together determine.
 Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& found) {
     const std::vector<const LogDrift*> used = pointers_to(found.logs, found.left_out);
     const std::vector<LogAgreement> agreement = agreement_of(used, channels);

@@ -36,7 +36,7 @@ struct WholeAngleDrift {
     Eigen::MatrixXd covariance;           // NaN of those that differ
     std::vector<LogAgreement> agreement;  // of 0, 2, 4
     std::optional<std::size_t> left_out;  // the log that does not belong to the others
-    std::vector<LogBin> bins;  // without what logs of unlike turns tell to be of the channels
+    std::vector<LogBin> bins;  // without the part that logs of unlike turns assign to the channels
     HeldResonator resonator;
     std::vector<Diagnostic> warnings;
 
@@ -45,12 +45,12 @@ struct WholeAngleDrift {
     double sd_rate(double theta) const;
 };
 
-// Gain ratio and skew of channels of which nothing is told.
+// Gain ratio and skew of channels without stated tolerances.
 ChannelTolerance usual_pick_offs();
 
 // Fits each log and puts the logs together. Standard deviations follow the noise of the residual,
 // white or not (coloured_fit.h). Gain ratio and skew of the channels within their tolerance make a
-// turning wave look as if it drifted in the fourth harmonic: logs of unlike turns tell both apart,
+// turning wave look as if it drifted in the fourth harmonic: logs of unlike turns separate both,
 // otherwise u holds it. Errors, about the log: turn_too_short, turn_too_fast,
 // angle_unit_wrong, too_few_frames, no_valid_samples, same_recording; interrupted.
 // Precondition: one log or more.

@@ -236,7 +236,7 @@ void cut_at_jumps(const Usual& usual, UnwrappedAngle& angle) {
             return k > 0 && k < stretch.rows.size() && std::abs(beyond(stretch, k)) > limit;
         };
         for (std::size_t k = 0; k < stretch.rows.size(); ++k) {
-            // Three one behind the other are another rate.
+            // Three in a row are another rate.
             const bool another_rate = (is_far(k + 1) && (is_far(k + 2) || is_far(k - 1))) ||
                                       (k > 2 && is_far(k - 1) && is_far(k - 2));
             if (is_far(k) && !another_rate) {

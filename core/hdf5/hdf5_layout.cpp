@@ -10,7 +10,7 @@ namespace {
 
 // Metadata come in one block before all arrays: those of a track take 8 kB of it.
 constexpr hsize_t metadata_block = 1 << 14;
-// Links that stand in the root group itself, in the order in which they were made.
+// Links in the root group itself, in the order in which they were made.
 constexpr unsigned most_links = 64;
 
 // The memory of a file that libhdf5 believes to be on a disk. When the file is closed the bytes go
@@ -128,7 +128,7 @@ extern "C" __attribute__((visibility("default"))) bool vybeg_hdf5_layout(
         if (!place(file.get(), array, at)) {
             return false;
         }
-        // Written in one pass: each array has to lie behind the one before.
+        // Written in one pass: each array has to lie after the one before.
         if (array.rows > 0 && at < before) {
             return false;
         }

@@ -23,7 +23,7 @@ struct Hdf5Layout {
     std::int64_t size = 0;             // of the whole file
 };
 
-// The layout of a file whose root group has the attribute `program` and these arrays, one behind
+// The layout of a file whose root group has the attribute `program` and these arrays, one after
 // the other in their order. False where libhdf5 fails. Not for two threads at once.
 using Hdf5LayoutFunction = bool (*)(const std::string& program,
                                     const std::vector<Hdf5Array>& arrays, Hdf5Layout& layout);

@@ -25,7 +25,7 @@ struct LockIn {
     void take_out(double offset_hz, double step_s, std::span<const double> time_s,
                   std::vector<std::complex<double>>& z) const;
 
-    // Correlation of white noise behind the filter, 1 at t = 0:
+    // Correlation of white noise after the filter, 1 at t = 0:
     //     integral of s^(p-1) (s + x)^(p-1) e^(-2s-x) ds over that of x = 0, x = |t| / tau.
     double correlation(double t_s) const;
 

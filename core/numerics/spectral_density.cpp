@@ -103,7 +103,7 @@ void LaggedProducts::add(std::span<const double> x, std::span<const double> y) {
     for (std::vector<double>& sum : sums_) {
         sum.resize(lags_ + 1);
     }
-    // The zeros behind the samples keep the products of both ends apart.
+    // The zeros after the samples keep the products of both ends apart.
     const std::size_t size = std::bit_ceil(count + lags);
     std::vector<std::complex<double>> data(size);
     for (std::size_t j = 0; j < count; ++j) {

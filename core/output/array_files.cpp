@@ -126,7 +126,7 @@ Status StoredZip::finish() {
         directory += "PK\x01\x02";
         append_bytes(directory, zip64_version);  // of the writer
         directory += common_fields(member, static_cast<std::uint16_t>(more.size()));
-        // Behind the disk: internal and external attributes.
+        // After the disk: internal and external attributes.
         append_bytes(directory, no_comment, one_disk, std::uint16_t{0}, std::uint32_t{0},
                      field(member.place));
         directory += member.name + more;

@@ -12,10 +12,10 @@
 
 namespace vybeg {
 
-// What stands before the numbers of a NumPy array: `type` as "<f8", `shape` as "5, 2" or "5,".
+// The header before the numbers of a NumPy array: `type` as "<f8", `shape` as "5, 2" or "5,".
 std::string npy_head(std::string_view type, std::string_view shape);
 
-// Pieces of a MAT file of level 5, to be written one behind the other: libmatio would write a
+// Pieces of a MAT file of level 5, to be written one after the other: libmatio would write a
 // variable in one piece and ignore the stop token and a full disk. The lengths in such a file are
 // 32 bit counts of bytes.
 inline constexpr std::int64_t most_mat_bytes = (std::int64_t{1} << 32) - 128;

@@ -40,7 +40,7 @@ std::string field(const std::string& text, char separator) {
     return field + "\"";
 }
 
-// An empty field is "not told".
+// An empty field is "not stated".
 std::string number(double value) {
     return std::isfinite(value) ? round_trip_text(value) : "";
 }

@@ -23,7 +23,7 @@ using BatchRow = std::vector<std::string>;
 inline constexpr const char* passed_column = "passed";
 const char* passed_text(const std::optional<Conformity>& conformity);
 
-// The names of the table's own columns; those of the list come behind them. `limits`: with the
+// The names of the table's own columns; those of the list follow them. `limits`: with the
 // fields above.
 std::vector<std::string> batch_columns(bool limits = false);
 
@@ -42,7 +42,7 @@ BatchRow batch_row(const MeasurementSet& set);
 BatchRow batch_row(const MeasurementSet& set, const Error& error,
                    const std::optional<LimitVerdict>& limits);
 
-// The row of a set. A serious warning stands as the message, in place of a verdict.
+// The row of a set. A serious warning is its message, in place of a verdict.
 BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& limits);
 
 // The head of the same table for table programs: a byte order mark and the line of names.

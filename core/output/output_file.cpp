@@ -55,7 +55,7 @@ std::pair<std::filesystem::path, std::filesystem::path> link_to_nowhere(
 }
 
 // The file that a path leads to, also where it does not exist yet: without links, of which one, to
-// a file or a folder, may lead nowhere. `failed`: why this cannot be told.
+// a file or a folder, may lead nowhere. `failed`: why this is unknown.
 std::filesystem::path end_of_links(const std::filesystem::path& path, std::error_code& failed) {
     constexpr int most_links = 40;  // as the system follows
     std::filesystem::path end = weakly_canonical(absolute(path, failed), failed);

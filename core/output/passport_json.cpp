@@ -42,7 +42,7 @@ Json written(const Estimate& estimate) {
     return json;
 }
 
-// What is wrong with a passport, thrown by the following functions without its place.
+// The fault of a passport, thrown by the following functions without its place.
 Error fault(MessageArg reason) {
     return {ErrorCode::passport_damaged, {}, {std::move(reason)}};
 }
@@ -135,7 +135,7 @@ public:
 
     std::vector<double> numbers() const { return list(&Node::number_or_nan); }
 
-    // `expected`: what has to stand here.
+    // `expected`: the kind of value that has to be here.
     [[noreturn]] void wrong(const char* expected) const {
         throw fault(
             Phrase::tr("%1: %2 is expected, and %3 is there", {place_, words(expected), found()}));

@@ -146,7 +146,7 @@ Status RowJournal::write(std::string_view bytes) {
                                        static_cast<off_t>(end_) + static_cast<off_t>(at));
         if (written < 0 && errno != EINTR) {
             const Error error = failed(errno);
-            // Half a row goes; where even that fails, its hash tells.
+            // Half a row is cut off; where even that fails, its hash does not fit.
             [[maybe_unused]] const int cut = ftruncate(descriptor_.get(), end_);
             return error;
         }

@@ -9,7 +9,7 @@
 namespace vybeg {
 namespace {
 
-// Behind t_s.
+// After t_s.
 constexpr std::array value_columns{
     SlowVariable::a_A, SlowVariable::a_B,          SlowVariable::two_theta_A, SlowVariable::alpha,
     SlowVariable::f,   SlowVariable::delta_phi_CD, SlowVariable::rms};

@@ -86,7 +86,7 @@ private:
     struct Block {  // of one append()
         std::size_t first = 0;
         std::size_t rows = 0;
-        std::int64_t place = 0;  // of its bytes: column behind column, then the flags
+        std::int64_t place = 0;  // of its bytes: column after column, then the flags
 
         std::int64_t place_of(std::size_t column) const {
             return place + static_cast<std::int64_t>(column * rows * sizeof(double));
@@ -103,7 +103,7 @@ private:
     JobControl job_;
     Descriptor file_;
     std::int64_t spilled_ = 0;  // bytes in the file
-    std::string memory_;        // those behind them
+    std::string memory_;        // those after them
     std::vector<Block> blocks_;
     std::size_t rows_ = 0;
     std::vector<FlaggedRows> flagged_;

@@ -106,7 +106,7 @@ struct TrackArray : Hdf5Array {
 using TextBytes = std::string (*)(const std::string& text);
 
 // Every array of a file: a column each, the flags and the header's lines. `one_width`: the format
-// keeps the texts of an array in one width, with zeros behind the last character. `columns` must
+// keeps the texts of an array in one width, with zeros after the last character. `columns` must
 // outlive them.
 Result<std::vector<TrackArray>> arrays_of(const TrackColumns& columns,
                                           std::span<const std::string> header, TextBytes text_bytes,
@@ -159,7 +159,7 @@ std::uint32_t crc_of(std::uint32_t crc, std::string_view bytes) {
         crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-// The checksum stands before the bytes, so that they are passed twice.
+// The checksum comes before the bytes, so that they are passed twice.
 Status write_member(OutputFile& file, StoredZip& zip, const TrackArray& array) {
     constexpr std::int64_t character = sizeof(char32_t);
     const std::string type =
@@ -184,7 +184,7 @@ std::string numpy_text(const std::string& text) {
     return bytes;
 }
 
-// libhdf5 and what it needs take longer to load than the whole program to start: it lies in a
+// libhdf5 and its libraries take longer to load than the whole program to start: it lies in a
 // library of its own, which is loaded for the first HDF5 file.
 Result<Hdf5Layout> layout_of(const OutputFile& file, const std::string& program,
                              const std::vector<Hdf5Array>& arrays) {
@@ -255,7 +255,7 @@ Status write_track_hdf5(OutputFile& file, const TrackColumns& columns,
         TRY(arrays_of(columns, header, [](const std::string& text) { return text; }));
     const auto layout =
         TRY(layout_of(file, header.empty() ? "" : header.front(), {arrays.begin(), arrays.end()}));
-    // The layout's own bytes stand before and between the arrays, in order.
+    // The layout's own bytes are before and between the arrays, in order.
     std::int64_t at = 0;
     const auto write_up_to = [&](std::int64_t place) {
         const auto size = static_cast<std::size_t>(place - at);

@@ -88,7 +88,7 @@ struct ResidualFrames {
     std::int64_t used() const { return examined - without; }
 };
 
-// The residual of an analysis and what it should look like for white normal noise.
+// The residual of an analysis, and its expected form for white normal noise.
 struct Residuals : ResidualFrames {
     double rate_hz = 0;
     double f0_hz = 0;

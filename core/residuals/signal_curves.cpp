@@ -44,7 +44,7 @@ Frames own_frames(const WindowPlan& plan, std::int64_t window) {
     return own;
 }
 
-// The window that a frame belongs to, or the first one after it; the last one behind all.
+// The window that a frame belongs to, or the first one after it; after all the last one.
 std::int64_t window_about(const WindowPlan& plan, std::int64_t frame) {
     const std::int64_t before =
         (2 * (frame - plan.first) + plan.hop - plan.length) / (2 * plan.hop);

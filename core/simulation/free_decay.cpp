@@ -80,7 +80,7 @@ constexpr auto decay_options = std::to_array<DecayOption>({
 
 using Row = SettingRow<FreeDecay>;
 
-// A number without a unit, of which check() says what is possible.
+// A number without a unit; check() holds its bounds.
 Row number_of(const Row& row, double FreeDecay::*member) {
     return value_row<double>(
         row, [member](auto& decay) -> auto& { return decay.*member; },

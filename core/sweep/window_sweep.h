@@ -54,7 +54,7 @@ struct SweepLength {
     std::array<SweepValue, sweep_variable_count> values;
 };
 
-// Which window the recording deserves, and why.
+// The recommended window, and why.
 struct WindowAdvice {
     enum class Limit {
         motion,      // longer windows blur `variable`

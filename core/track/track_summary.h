@@ -36,7 +36,7 @@ struct TrackSummary {
 // deviations of its windows and the correlation of their errors. Windows without a value, over
 // faults, not converged or at the bound of the search are excluded. Its variance is the sum of
 //   - that of the weighted mean, by the deviations and correlations. Errors of windows that overlap
-//     or lie behind a band-pass cancel each other from window to window, which no scatter of
+//     or follow a band-pass cancel each other from window to window, which no scatter of
 //     blocks shows;
 //   - what the second differences of the blocks' means have beyond that, as noise between blocks:
 //     coloured noise counts, an even drift does not. With fewer than 20 blocks the variance grows

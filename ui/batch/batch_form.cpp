@@ -21,7 +21,7 @@ namespace {
 // Two lines side by side: label, field, button, button; the upper ones take both.
 constexpr int columns_of_line = 4;
 
-// A field of the form: its place, what it gives to the batch, and its texts.
+// A field of the form: its place, its part of the batch's request, and its texts.
 struct LineRow {
     BatchPath path;
     int row;

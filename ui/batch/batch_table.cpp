@@ -25,8 +25,8 @@ struct Texts {
     const char* tip = QT_TRANSLATE_NOOP("BatchColumn", "A column of the list");
 };
 
-// In the order of the window: what is asked first stands first. Behind the column that has changed
-// come the parameters.
+// In the order of the window, the most important first. The parameters follow the column of
+// changes.
 constexpr std::array column_texts{
     Texts{"set", BatchColumnKind::text, QT_TRANSLATE_NOOP("BatchColumn", "Set"),
           QT_TRANSLATE_NOOP("BatchColumn", "Its name in the list")},
@@ -157,7 +157,7 @@ namespace {
 
 constexpr int digits_of_numbers = 4;
 
-// Numbers stand under each other, below the end of their titles.
+// Numbers are aligned at the right, below the end of their titles.
 int alignmentOf(const BatchColumn& column) {
     const bool numeric =
         column.kind == BatchColumnKind::quantity || column.kind == BatchColumnKind::number;

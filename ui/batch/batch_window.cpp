@@ -160,7 +160,7 @@ BatchWindow::BatchWindow(QWidget* parent)
       start_(withName(new QPushButton(this), "batchStart")),
       stop_(withName(new QPushButton(this), "batchStop")),
       bar_(new QProgressBar(this)),
-      told_(withName(new QLabel(this), "batchTold")),
+      progressText_(withName(new QLabel(this), "batchProgress")),
       message_(new BatchMessage(this)),
       table_(withName(new QTableView(this), "batchTable")),
       details_(withName(new QPlainTextEdit(this), "batchDetails")),
@@ -175,7 +175,7 @@ BatchWindow::BatchWindow(QWidget* parent)
     details_->setTabChangesFocus(true);
     details_->setFixedHeight(lines_of_details * details_->fontMetrics().lineSpacing() +
                              2 * details_->frameWidth() + 8);
-    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {told_, 1}});
+    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {progressText_, 1}});
     fill(new QVBoxLayout(this), {form_, row, message_, {table_, 1}, details_});
     tick_.setInterval(tick_ms);
     connect(&tick_, &QTimer::timeout, this, &BatchWindow::showProgress);
@@ -252,14 +252,14 @@ void BatchWindow::askAndStart() {
         message_->begin();
         message_->end(
             [results] {
-                return tr("%1 is there already, and is no table of results: choose another name.")
+                return tr("%1 already exists and is not a table of results: choose another name.")
                     .arg(results);
             },
             true);
         return;
     }
     ask(this, tr("Replace the results?"),
-        tr("%1 is there already. The new table takes its place when it is whole.").arg(results),
+        tr("%1 already exists. The new table replaces it when it is complete.").arg(results),
         tr("Replace"), tr("Cancel"), [this] { start(); });
 }
 
@@ -370,7 +370,7 @@ void BatchWindow::showProgress() {
     } else if (running() && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
-    told_->setText(parts.join(QStringLiteral("; ")));
+    progressText_->setText(parts.join(QStringLiteral("; ")));
 }
 
 void BatchWindow::showColumns() {
@@ -416,7 +416,7 @@ void BatchWindow::showDetails() {
     details_->setPlaceholderText(
         current.isValid() && model_.hasResult(current.row())
             ? tr("This set has a result, and no warnings.")
-            : tr("Choose a set: here stands why it has no result, and its warnings."));
+            : tr("Choose a set to see why it has no result, and its warnings."));
     open_->setEnabled(current.isValid());
     copy_->setEnabled(current.isValid());
 }

@@ -88,7 +88,7 @@ public:
     void setPanelSource(std::function<IdentifySettings()> source) { panel_ = std::move(source); }
     void setUnits(const DisplayUnits& units);
     bool running() const { return job_.busy(); }
-    // Of the program: stops what is running, and closes without a question.
+    // Called by the program: stops the batch, and closes without a question.
     void leave();
 
 signals:
@@ -134,7 +134,7 @@ private:
     QPushButton* start_;
     QPushButton* stop_;
     QProgressBar* bar_;
-    QLabel* told_;  // how far it is
+    QLabel* progressText_;
     BatchMessage* message_;
     QTableView* table_;
     QPlainTextEdit* details_;

@@ -148,8 +148,8 @@ CurveStyle AnalysisStore::freeStyle(RecordingId recording_id) const {
     return style;
 }
 
-// The first analysis of each recording stands in the order of the recordings, whichever analysis
-// ends first; later ones at the end.
+// The first analyses of the recordings are in the order of the recordings, whichever analysis ends
+// first; later ones are at the end.
 AnalysisEntry& AnalysisStore::add(AnalysisEntry entry) {
     const auto is_first = [this](auto place) {
         return std::ranges::find(analyses_.begin(), place, place->recording_id,

@@ -26,8 +26,8 @@ QThreadPool& freeingPool() {
     return pool;
 }
 
-// Gives the memory of a long recording's results back in the background: that takes longer than the
-// window may stand still.
+// Gives the memory of a long recording's results back in the background: that would
+// hold up the window for too long.
 template <class Value>
 std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> value) {
     const Value* place = value.get();

@@ -51,11 +51,11 @@ template <class Value>
 using Done = std::function<void(Result<Value>)>;
 
 // The only file of ui/ with threads. Every job works in the background on values and returns its
-// result by value to the thread of this object; `done` is called there. Jobs are told apart by kind
-// and key: a new job of the same kind and key stops the one before it, and whatever that still
+// result by value to the thread of this object; `done` is called there. Jobs are distinguished by
+// kind and key: a new job of the same kind and key stops the one before it, and whatever that still
 // delivers is dropped by its generation number. Analyses run one after the other, each on all
 // processors; everything else runs beside them, live analyses too: nobody waits for a long run with
-// a spin box in hand. What is large in a result (samples, track, curves, envelope) is also freed in
+// a spin box in hand. Large parts of a result (samples, track, curves, envelope) are also freed in
 // the background, whoever lets go of it last.
 class BackgroundJobs : public QObject {
     Q_OBJECT
@@ -90,16 +90,16 @@ public:
                        Done<std::shared_ptr<const Envelope>> done);
     void analyse(int key, const Recording& recording, const Settings& settings,
                  Done<AnalysisOutcome> done);
-    // The same for a setting that is still being changed: `early` first gets what is there of a
-    // long one, some windows of all and then all of the visible (analyse_visible_first()).
+    // The same for a setting that is still being changed: `early` first gets a part of
+    // a long one, some windows of all and then all of the visible (analyse_visible_first()).
     void analyseLive(int key, const Recording& recording, const Settings& settings,
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      Done<AnalysisOutcome> done);
 
-    // The recording in windows of many lengths; tells its progress.
+    // The recording in windows of many lengths; reports its progress.
     void sweepWindows(int key, const Recording& recording, const Settings& settings,
                       const std::vector<std::int64_t>& lengths, Done<WindowSweep> done);
-    // One resonator behind all recordings.
+    // One resonator for all recordings.
     void identify(int key, OpenSet open, Done<SetResult> done);
     // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,

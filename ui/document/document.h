@@ -77,7 +77,7 @@ public:
     void setVisibleRange(const TimeRange& visible) { visible_ = visible; }
     void cancel() { job_.cancelAnalyses(); }
     bool busy() const { return queue_.busy(); }
-    // Whether any job is under way: analyses, and what is read, checked or written besides.
+    // Whether any job is under way: analyses, reading, checks or writing.
     bool working() const { return queue_.busy() || job_.busy(); }
     double progress() const { return queue_.progress(); }
     std::optional<double> secondsLeft() const { return queue_.secondsLeft(); }

@@ -18,7 +18,7 @@ public:
 
     QString words() const { return words_(); }
     void undo() override { undo_(); }
-    // The stack redoes what it gets, which is done already.
+    // The stack redoes a new command, which is done already.
     void redo() override {
         if (std::exchange(done_, false)) {
             return;

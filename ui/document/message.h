@@ -18,8 +18,8 @@ enum class MessageLevel : std::uint8_t { info, warning, error };
 // settled.
 enum class Topic : std::uint8_t { none, live, drift };
 
-// A message to the engineer. The text is a function, so that a change of language reaches what is
-// already on the screen.
+// A message to the engineer. The text is a function, so that a change of language reaches messages
+// that are already on the screen.
 struct Message {
     MessageLevel severity = MessageLevel::info;
     std::function<QString()> text;

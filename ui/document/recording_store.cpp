@@ -198,7 +198,7 @@ void RecordingStore::readEnvelope(RecordingId id) {
                            } else {
                                emit reported(errorMessage(whole.error()));
                            }
-                           // After what is seen first; the file then is in memory as far as it
+                           // After the first picture; the file then is in memory as far as it
                            // fits.
                            checkSamples(id);
                            hashFile(id);

@@ -56,7 +56,7 @@ MeasurementSet told(MeasurementSet set, const GyroData& session) {
     return set;
 }
 
-// With what the files told of the recordings, which are the same in their order.
+// With the contents read from the files of the recordings, which are the same in their order.
 MeasurementSet asRead(MeasurementSet set, const MeasurementSet& read) {
     for (std::size_t k = 0; k < set.recordings.size(); ++k) {
         const RecordingRef& from = read.recordings[k];

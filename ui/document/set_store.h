@@ -45,7 +45,7 @@ public:
     void setModel(SetId id, FitOptions::Model model);
     // No step: a file of the set's list is found again.
     void setListed(SetId id, MeasurementSet listed);
-    // Sets of a session, with the ids of open recordings, behind the others; none becomes the
+    // Sets of a session, with the ids of open recordings, after the others; none becomes the
     // current one. No step.
     void restoreSets(std::vector<RecordingSet> sets);
     // Other settings of a listed set than those of its file; a step of undo.

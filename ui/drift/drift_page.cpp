@@ -179,7 +179,7 @@ void DriftPanel::edit(const std::function<void(DriftSettings&)>& change) {
     document_.drift().setSettings(settings);
 }
 
-// What is no list of columns stays in the field, with the reason below it.
+// A text that is no list of columns stays in the field, with the reason below it.
 void DriftPanel::editColumns() {
     const std::string columns = columns_->text().trimmed().toStdString();
     if (const Status possible = check_log_columns(columns); !possible) {

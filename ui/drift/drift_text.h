@@ -23,7 +23,7 @@ inline constexpr std::size_t whole_angle_means = 0;  // its series
 // Of one of its logs, and that it is left out.
 QString logName(const WholeAngleDrift& drift, std::size_t log);
 
-// Turn and harmonics, and what is known of each log: a column for all logs and, of several, one for
+// Turn and harmonics, and the data of each log: a column for all logs and, of several, one for
 // each.
 QStringList logHeaders(const WholeAngleDrift& drift);
 std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnits& units);

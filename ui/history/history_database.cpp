@@ -26,7 +26,7 @@
 
 namespace vybeg::ui {
 
-// Those in which the recordings differ stand side by side in one text.
+// One text joins those in which the recordings differ.
 std::optional<IdentifySettings> settingsOf(const StoredResult& result) {
     const QJsonObject json =
         QJsonDocument::fromJson(QByteArray::fromStdString(result.json)).object();

@@ -22,7 +22,7 @@ std::string columnOf(const HistoryParameter& parameter) {
         .toStdString();
 }
 
-// An empty field is "not told".
+// An empty field is "not stated".
 std::string fieldOf(double value) {
     return std::isfinite(value) ? round_trip_text(value) : "";
 }

@@ -115,7 +115,7 @@ void HistoryChoices::setGyros(const std::vector<StoredGyro>& gyros) {
     retranslate();
 }
 
-// So many choices stand beside each other.
+// So many choices are in a row.
 void HistoryChoices::place(int in_a_row) {
     for (int k = 0; const auto& [label, choice] : choices_) {
         grid_->removeWidget(label);

@@ -67,7 +67,7 @@ public:
     // Takes another database; `make`: also one that is still to come.
     void openDatabase(const QString& path, bool make);
     const QString& path() const { return path_; }
-    // What is shown; null without a database.
+    // The history on the page; null without a database.
     const StoredHistory* history() const { return history_ ? &*history_ : nullptr; }
     const HistoryCharts& charts() const { return charts_; }
     bool reading() const { return reading_; }

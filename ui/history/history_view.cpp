@@ -171,7 +171,7 @@ QString baselineText(const HistoryCharts& charts) {
     return {};
 }
 
-// The name of a series in the legend, with what is to be known of the baseline.
+// The name of a series in the legend, with the note about the baseline.
 QString withBaseline(const QString& name, const HistoryCharts& charts, bool sets_limits) {
     const bool has_limits = charts.control.fault != BaselineFault::too_few;
     const QString note = charts.one_gyro && has_limits == sets_limits ? baselineText(charts) : "";
@@ -420,7 +420,7 @@ QString withoutDate(const HistoryView& view) {
                                         nullptr, static_cast<int>(count));
 }
 
-// What sets the limits, and what is to be known of it.
+// The origin of the limits, and the note about it.
 QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
     if (charts.control.fault == BaselineFault::too_few) {
         return HistoryWords::tr(

@@ -19,7 +19,7 @@
 
 namespace vybeg::ui {
 
-// What a database tells of one parameter.
+// The results of a database for one parameter.
 struct StoredHistory {
     std::vector<StoredGyro> gyros;
     std::vector<HistoryPoint> points;  // of one gyro or of all, by date; those without one last
@@ -93,7 +93,7 @@ HistoryPlot averagePlot(const HistoryView& view);
 XYPlot distributionPlot(const HistoryView& view);
 // The range of the values in which their distribution is seen whole.
 AxisRange wholeRange(const HistoryView& view, const XYPlot& values);
-// The distribution turned onto the axis of the values, to stand beside them.
+// The distribution turned onto the axis of the values, to be drawn beside them.
 XYPlot besideValues(XYPlot distribution, const XYPlot& values);
 
 // "HRG-17, 2026-03-31, set A".
@@ -102,7 +102,7 @@ QString nameOf(const HistoryPoint& point);
 // "HRG-17, 2026-03-31, set A: τ = 21.3(1) s; f = 5300.1 Hz; 22.5 °C; outside the limits, above".
 QString pointText(const HistoryView& view, std::size_t point);
 
-// What the charts say: which results lie outside, and what is missing for an answer.
+// What the charts say: which results lie outside, and which data are missing for an answer.
 QString verdictText(const HistoryView& view);
 
 }  // namespace vybeg::ui

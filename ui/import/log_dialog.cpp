@@ -88,7 +88,7 @@ std::string nameOf(const std::vector<RecordingRef>& logs) {
                             : std::string();
 }
 
-// Full name of a file that stands beside another one, or is given by its path.
+// Full name of a file that is beside another one, or is given by its path.
 QString beside(const QString& file, const QString& other) {
     return QFileInfo(QFileInfo(file).absoluteDir(), other).absoluteFilePath();
 }
@@ -413,7 +413,7 @@ void LogDialog::showPreview() {
 
 void LogDialog::showRows() {
     const bool phasors = isOfPhasors();
-    // Of names that the readers know, none has to be told.
+    // Names that the readers know need not be given.
     const LogLook* look = files_->sound() ? &files_->sound()->look : nullptr;
     const bool nameless = look && !look->preview.columns.empty() &&
                           std::ranges::all_of(look->preview.columns, [](const Channel& column) {

@@ -20,7 +20,7 @@ class ImportPreview;
 
 // Asks what logs are that take the place of recordings: looks at the files in the background and
 // shows a field for each fact that they do not hold. The window stays free. Of a set that is there
-// it shows the logs and what was told of them.
+// it shows the logs and the choices about them.
 class LogDialog : public QDialog {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ public:
     // Further logs of the same resonator, made alike.
     void add(const QStringList& paths) { files_->add(paths); }
     const QStringList& files() const { return files_->files(); }
-    // The logs with what is told of them.
+    // The logs with the choices about them.
     MeasurementSet set() const;
 
 signals:
@@ -69,8 +69,8 @@ private:
     const MeasurementSet given_;
     LogFiles* files_;
     LogChoice looked_with_;
-    std::set<QComboBox*> by_person_;  // where a person chose: what the files tell stays out
-    bool known_shown_ = false;        // what the first look found stands in the fields
+    std::set<QComboBox*> by_person_;  // chosen by a person: not set by the files
+    bool known_shown_ = false;        // the fields have the findings of the first look
     QFormLayout* form_;
     QComboBox* kind_;
     QLineEdit* columns_;

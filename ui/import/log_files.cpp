@@ -41,7 +41,7 @@ Result<std::vector<Looked>> lookAt(const std::vector<std::filesystem::path>& pat
     for (std::size_t k = 0; k < paths.size(); ++k) {
         looks.emplace_back();
         TRY(again(k));
-        // The others are made as the first one that says what it is.
+        // The others are of the kind of the first one that shows its own.
         if (!looks[k].look.problem && !choice.given() && looks[k].look.choice.given()) {
             choice = looks[k].look.choice;
             for (std::size_t before = 0; before < k; ++before) {

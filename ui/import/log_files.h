@@ -28,11 +28,11 @@ public:
     ~LogFiles() override;
 
     const QStringList& files() const { return files_; }
-    // Looks at all files anew, with what is given of them.
+    // Looks at all files anew, with the given choices.
     void look(const OpenOptions& options, const LogChoice& given);
     // Of the files; empty: still looking.
     const std::vector<Looked>& looks() const { return looks_; }
-    // The first that says what it is; the first one that can be read where none does, or the first
+    // The first that shows its kind; the first one that can be read where none does, or the first
     // one. Null: still looking.
     const Looked* sound() const;
     // Of the chosen file, otherwise sound().

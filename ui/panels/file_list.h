@@ -7,7 +7,7 @@
 
 namespace vybeg::ui {
 
-// The files of what is dragged from elsewhere.
+// The files that are dragged from elsewhere.
 QStringList localFiles(const QMimeData& data);
 
 // Lets files be dropped onto a view.
@@ -27,7 +27,7 @@ public:
     QStringList chosenPaths() const;
     void removeChosen();
 
-    // What stands there while it is empty, in the language of the window.
+    // The text shown while it is empty, in the language of the window.
     void setHint(std::function<QString()> hint) { hint_ = std::move(hint); }
 
 signals:

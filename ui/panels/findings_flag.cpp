@@ -123,7 +123,7 @@ void CheckList::refresh() {
         title_->setText(tr("Recording check: reading…"));
         return;
     }
-    const int found = findingsIn(findings_);  // notes stand in the list all the same
+    const int found = findingsIn(findings_);  // notes are in the list all the same
     title_->setText(found == 0 ? tr("Recording check: nothing found")
                                : tr("Recording check: %n finding(s)", nullptr, found));
     const std::vector<Finding> findings = findings_of(findings_);

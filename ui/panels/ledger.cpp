@@ -85,7 +85,7 @@ Ledger::Ledger(Document& document, QWidget* parent)
     connect(&document_.sets(), &SetStore::changed, this, &Ledger::fillCells);
     connect(&document_, &Document::currentRecordingChanged, this, &Ledger::chooseRow);
     connect(&document_, &Document::analysisAdded, this, [this](AnalysisId id) {
-        // Of another recording than the current one it stands in its row, and waits.
+        // Of another recording than the current one it gets its row, but is not chosen.
         const AnalysisEntry* entry = document_.analysis(id);
         if (entry && document_.isCurrent(entry->recording_id)) {
             setCurrentAnalysis(id);

@@ -56,7 +56,7 @@ constexpr int analysis_role = Qt::UserRole;
 constexpr int recording_role = Qt::UserRole + 1;
 constexpr int short_name_role = Qt::UserRole + 2;
 
-// The name of an analysis as its row shows it: without the ending that other columns tell, where it
+// The name of an analysis as its row shows it: without the ending that other columns show, where it
 // is alone, and only by its ending below its recording. Null: as it is.
 QVariant shortName(const LedgerRow& row) {
     const QString own = QFileInfo(row.recording->path).completeBaseName();
@@ -110,7 +110,7 @@ QIcon curveIcon(const ShownAnalysis& shown) {
 }
 
 // The power of ten of a column, so that its numbers have no more than seven digits before or three
-// zeros behind the decimal sign.
+// zeros after the decimal sign.
 int exponentOf(const std::vector<Reading>& readings) {
     double largest = 0;
     for (const Reading& reading : readings) {

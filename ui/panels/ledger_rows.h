@@ -20,7 +20,7 @@ class QToolButton;
 
 namespace vybeg::ui {
 
-// What is known of a recording, a line each: file, format, rate, length, channels, start, carrier,
+// The data of a recording, a line each: file, format, rate, length, channels, start, carrier,
 // SHA-256.
 QString recordingFacts(const RecordingEntry& entry);
 

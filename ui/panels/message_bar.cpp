@@ -53,7 +53,7 @@ void MessageBar::floatOver(QWidget& place) {
 
 void MessageBar::add(const Message& message) {
     if (message.severity == MessageLevel::info) {
-        return;  // stands in the status bar
+        return;  // shown in the status bar
     }
     withdraw(message.topic);
     const QString text = message.text();

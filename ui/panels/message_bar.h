@@ -14,7 +14,7 @@ class QVBoxLayout;
 namespace vybeg::ui {
 
 // Messages over the lower end of the window, but for news; none blocks. The newest is on top. Of
-// more than three some wait behind a line that counts them, and come as others are closed.
+// more than three some are counted in a line, and come as others are closed.
 class MessageBar : public QWidget {
     Q_OBJECT
 

@@ -22,7 +22,7 @@ class WavePanel : public QWidget {
 public:
     explicit WavePanel(Document& document, QWidget* parent = nullptr);
 
-    // What is unlike the chosen analysis is not drawn over it.
+    // Analyses unlike the chosen one are not drawn over it.
     void setAnalysis(AnalysisId id);
     void setTime(std::optional<double> time_s);
 

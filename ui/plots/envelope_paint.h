@@ -27,8 +27,8 @@ struct EnvelopeLane {
     ChannelRange EnvelopeBucket::*range = nullptr;
 };
 
-// Minima and maxima of channels; columns of samples only are paler. What is not read yet is hatched
-// below them; marks at the foot are above them, where samples are missing.
+// Minima and maxima of channels; columns of samples only are paler. The part not read yet is
+// hatched below them; marks at the foot are above them, where samples are missing.
 void paintEnvelope(QPainter& painter, const ColumnRow& row,
                    const std::vector<EnvelopeBucket>& columns,
                    std::initializer_list<EnvelopeLane> lanes, const Theme& theme);

@@ -96,7 +96,7 @@ private:
     std::function<QString(std::size_t)> tip_;  // empty text: none
 };
 
-// What is exported of plots: those that show something, by their accessible names.
+// The plots for an export: those that show something, by their accessible names.
 FigureSource figuresOf(const std::vector<const XYPlotView*>& plots, const QString& name,
                        const QString& title);
 

@@ -87,7 +87,7 @@ private:
     QSize expected_{400, 100};
 };
 
-// Where symbol and unit of a plot stand: on the screen in the left margin, on paper above it.
+// The place of symbol and unit of a plot: on the screen the left margin, on paper above it.
 enum class PlotHead { margin, line };
 
 // A curve that its panel scales and a strip names: QCustomPlot looks for no ranges of it.
@@ -111,12 +111,12 @@ protected:
     void drawLegendIcon(QCPPainter*, const QRectF&) const override {}
 };
 
-// What a panel is called, and what stands in its frame where no curve does.
+// The name of a panel, and the text in its frame where it has no curve.
 struct PanelTexts {
     QString symbol;  // an underscore introduces an index
     QString unit;
     bool takes_prefix = false;
-    QString offset_unit{};  // behind the number that the axis counts from
+    QString offset_unit{};  // after the number that the axis counts from
     QString empty{};
 };
 

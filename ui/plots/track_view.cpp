@@ -318,7 +318,7 @@ void TrackView::redraw() {
     // The number of strips may have changed since the last resize.
     stack_.prepare(plot().size());
     stack_.setZoom(zoom_.current());
-    // Other pages zoom, too; what is hidden is drawn when it is shown.
+    // Other pages zoom, too; a hidden plot is drawn when it is shown.
     if (isVisible()) {
         plot().replot(QCustomPlot::rpQueuedReplot);
     }
@@ -397,7 +397,7 @@ bool TrackView::zoomValues(const QPointF& at, double factor) {
     return true;
 }
 
-// At the margin, the meaning of the symbol that stands there.
+// At the margin, the meaning of the symbol there.
 void TrackView::hoverAt(const QPointF& at) {
     const PlotPanel* panel = stack_.panelAt(at);
     const bool margin = panel && at.x() < panel->rect().left();

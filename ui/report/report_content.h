@@ -34,7 +34,7 @@ struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(Report)
 };
 
-// What no file tells. An empty text leaves a line to be filled in by hand.
+// Data of a report that no file has. An empty text leaves a line to be filled in by hand.
 struct ReportTitle {
     QString number;  // of the report
     QString gyro;    // serial number
@@ -49,10 +49,10 @@ struct TitleField {
     const char* name;    // ReportWords::tr()
     const char* help;    // of the option
     QString ReportTitle::*text;
-    std::string Conditions::*told;  // by a measurement list; nullptr: not told there
+    std::string Conditions::*told;  // in a measurement list; nullptr: not there
 };
 
-// As they stand in a report.
+// In the order of a report.
 inline constexpr std::array<TitleField, 6> title_fields{{
     {"number", QT_TRANSLATE_NOOP("Report", "Report number"), "number of the report",
      &ReportTitle::number, nullptr},
@@ -86,8 +86,8 @@ ReportRecording reportRecording(const Recording& recording, const QString& sha25
 // Of a log, as its identification has read it.
 ReportRecording reportLog(const RecordingRef& log);
 
-// The title as the measurement list of a set tells it; where recordings differ, all of it. `usual`
-// for what it does not tell.
+// The title by the measurement list of a set; where recordings differ, all of it. `usual` where the
+// list has no text.
 ReportTitle titleOf(const MeasurementSet& set, const ReportTitle& usual);
 
 // The title that a gyro's data give, without a date.
@@ -103,7 +103,7 @@ QString dateText(const QString& standard);
 // "first … last" of several; empty of none.
 QString firstAndLast(const QStringList& texts);
 
-// Date of the recordings as their files tell it; the first and the last of several. Empty where
+// Date of the recordings in their files; the first and the last of several. Empty where
 // none does.
 QString measuredOn(const std::vector<ReportRecording>& recordings);
 

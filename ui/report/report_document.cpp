@@ -164,7 +164,7 @@ void keepTablesWhole(QTextDocument& document) {
     }
 }
 
-// A heading goes with what stands below it. Each break moves all that follows, so that headings
+// A heading is kept with the text below it. Each break moves all that follows, so that headings
 // are looked at one after the other.
 void keepHeadingsWithTheirText(QTextDocument& document) {
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {

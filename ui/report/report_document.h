@@ -17,11 +17,11 @@
 
 namespace vybeg::ui {
 
-// A report as text in the interface's language; figures stand in it by their names
+// A report as text in the interface's language; figures are in it by their names
 // (report_parts.h).
 struct ReportText {
     QString title;   // of the document, and the head of each page
-    QString author;  // empty: not told
+    QString author;  // empty: not stated
     QString program;
     QString foot;  // of each page, with %1 for its number and %2 for that of all
     QString html;
@@ -31,7 +31,7 @@ struct ReportText {
 // twice is the same bytes.
 QDate reportDay();
 
-// Head and foot of each page; its text begins with the title. `report`: what it is.
+// Head and foot of each page; its text begins with the title. `report`: its kind.
 ReportText framedReport(const QString& report, const QString& about, const QString& program);
 
 // Of one set or recording. `program`: name and version. `made`: reportDay().
@@ -41,7 +41,7 @@ ReportText reportTextOf(const ReportContent& content, const QString& program, QD
 struct ReportChapter {
     QStringList line;      // in the table of all sets: cells, each an HTML text
     QString html;          // its pages
-    bool assumed = false;  // u holds tolerances that are not told
+    bool assumed = false;  // u holds tolerances that are not stated
 };
 
 // Of a content with a number.

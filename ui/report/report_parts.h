@@ -82,7 +82,7 @@ QString absenceText(const ReportContent& content);
 // `made`: when and by which program, a last row; empty: none.
 QString titleBlock(const ReportTitle& title, const QString& made);
 
-// From the recordings to the warnings; figures stand in it by their names.
+// From the recordings to the warnings; figures are in it by their names.
 QString reportSections(const ReportContent& content);
 
 // The uncertainty budget as a table: a row for each given parameter; columns: the statistical

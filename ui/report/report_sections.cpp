@@ -204,7 +204,7 @@ QString resultSection(const ReportContent& content) {
 }
 
 // The pages of the resonator: parameters with their uncertainties, rim, drift, budget, modes, and
-// what is known of each recording; or why there are none.
+// the data of each recording; or why there are none.
 QString resonatorSection(const ReportContent& content) {
     const QString title = ReportWords::tr("Resonator");
     if (!content.outcome) {
@@ -379,7 +379,7 @@ QString eventsSection(const ReportContent& content) {
     return any ? text : text + paragraph(ReportWords::tr("No axis crossings, no gaps."));
 }
 
-// What the analyses found beside the recording check, which stands with the recordings.
+// The findings of the analyses beside those of the recording check, which are with the recordings.
 std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
     std::vector<NamedWarnings> all;
     for (const ReportAnalysis& each : content.analyses) {
@@ -458,7 +458,7 @@ QString signatures(const ReportTitle& title) {
 }  // namespace
 
 QString titleBlock(const ReportTitle& title, const QString& made) {
-    // Lines to write on by hand where nothing is told.
+    // Lines to write on by hand where a text is empty.
     const QString line = QStringLiteral("____________________________");
     const auto told = [&line](const QString& text) {
         return text.isEmpty() ? line : text.toHtmlEscaped();

@@ -151,7 +151,7 @@ QString ResidualsPage::unit() const {
     return recording && recording->recording ? channelUnit(*recording->recording) : QString();
 }
 
-// Compares what is wanted with what is shown or under way. Hidden, the page waits.
+// Compares the wanted residuals with those shown or under way. Hidden, the page waits.
 void ResidualsPage::refresh() {
     time_->setVisible(range() == Range::window);
     time_->setValue(cursor_s_);

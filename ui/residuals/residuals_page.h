@@ -36,7 +36,7 @@ public:
     ResidualsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     void setAnalysis(AnalysisId id);
-    // What is shown; null until it is computed.
+    // The residuals on the page; null until they are computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
     bool computing() const { return computing_; }
 

@@ -64,7 +64,7 @@ void ResonatorPage::showTabs() {
     numbers_->setVisible(compared || !numbers_->isEmpty());
     // The hint in the place of the figures then has all the page.
     middle_->setVisible(compared || !numbers_->isEmpty());
-    // A bar whose tabs come and go may stand at one that is hidden.
+    // The current tab of a bar whose tabs come and go may be hidden.
     for (int tab = 0; tab < tabs.count() && !tabs.isTabVisible(tabs.currentIndex()); ++tab) {
         if (tabs.isTabVisible(tab)) {
             tabs.setCurrentIndex(tab);
@@ -100,7 +100,8 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
     const RecordingSet* set = document_.sets().current();
     if (set && set->listed && !set->by_panel) {
         MeasurementSet listed = *set->listed;
-        // What is found is about the first recording; delays of the others keep their distance.
+        // The calibration found is that of the first recording; delays of the others keep their
+        // distance.
         const double earlier_s = listed.settings.signal_of(0).calibration.delay_d_s;
         change(listed.settings.signal.calibration, earlier_s);
         for (SignalSettings& each : listed.settings.of_recordings) {

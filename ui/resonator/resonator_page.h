@@ -40,7 +40,7 @@ private:
 
     Document& document_;
     std::shared_ptr<const SetResult> shown_;
-    // The session's result, shown where nothing is identified here, and what it was read from.
+    // The session's result, shown where nothing is identified here, and its JSON.
     Result<SetResult> kept_ = SetResult{};
     QJsonObject kept_json_;
     SetPanel* set_;

@@ -15,7 +15,7 @@
 
 namespace vybeg::ui {
 
-// What a measurement list tells of a recording, a line each: "gyro: G7", "bias: 100 V", ...
+// The conditions of a recording in a measurement list, a line each: "gyro: G7", "bias: 100 V", ...
 QStringList conditionsText(const RecordingRef& recording);
 
 // An identification as tables: names and units in the interface's language, values rounded by their
@@ -31,8 +31,9 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
                                        const std::vector<ParameterLimit>& limits = {},
                                        const std::vector<Difference>& differences = {},
                                        const Theme& theme = lightTheme());
-// What is given, of the free model its modes, with the expanded uncertainty U = 2u; a parameter
-// with limits is there without a value, too. Where there are limits, a second column has them.
+// The given parameters, of the free model its modes, with the expanded uncertainty U = 2u; a
+// parameter with limits is there without a value, too. Where there are limits, a second column has
+// them.
 std::vector<QuantityRow> resultRows(const Identification& found, const DisplayUnits& units,
                                     const std::vector<ParameterLimit>& limits);
 // Titles of the parameters that the recordings do not show.
@@ -48,7 +49,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
 // One column: mean and harmonics of the drift function, or the reason for its absence.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
 
-// The source of a part of u, e.g. "Delay (assumed)" where its tolerance is not told.
+// The source of a part of u, e.g. "Delay (assumed)" where its tolerance is not stated.
 QString toleranceName(ErrorSource source, const IdentifySettings& settings);
 // The tolerances in u, a text for each, e.g. "Delay (assumed): 10 ns".
 QStringList toleranceTexts(const IdentifySettings& settings);
@@ -61,7 +62,7 @@ QString uncertaintyText(const Identification& found);
 // What of the calibration a result shows to be another one than it was identified with.
 struct FoundCalibration {
     std::optional<Estimate> kappa;
-    std::optional<double> delay_d_s;  // the whole one, to two digits of what is new
+    std::optional<double> delay_d_s;  // the whole one, to two digits of the change
     bool offsets = false;             // the channels have some, and none are taken out
 };
 FoundCalibration foundCalibration(const Identification& found);

@@ -29,7 +29,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// What was told of logs, in the words of a measurement list.
+// The choices about logs, in the words of a measurement list.
 QString logText(const LogChoice& logs) {
     QStringList told;
     for (const SettingRow<LogChoice>& row : log_settings()) {
@@ -257,7 +257,7 @@ void SetPanel::refresh() {
 }
 
 // The chosen row stays chosen, of another set than the current one it becomes that of the current
-// one; what is unfolded stays so.
+// one; unfolded sets stay so.
 void SetPanel::showSets() {
     const QSignalBlocker quiet(sets_);
     const QTreeWidgetItem* before = sets_->currentItem();

@@ -17,8 +17,8 @@ class QToolButton;
 namespace vybeg::ui {
 
 // The sets, each with its recordings or logs below it. Of the current set all open recordings are
-// there, those of the set checked; without a set they stand alone. As high as its rows, up to a
-// maximum.
+// there, those of the set checked; without a set they are listed alone. As high as its rows, up
+// to a maximum.
 class SetTree : public QTreeWidget {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
     // Of the current set; without a set all.
     std::vector<QTreeWidgetItem*> members() const;
     bool editing() const { return state() == EditingState; }
-    // What stands there while the current set has no members, in the language of the window.
+    // The text shown while the current set has no members, in the language of the window.
     void setHint(std::function<QString()> hint) { hint_ = std::move(hint); }
 
 signals:

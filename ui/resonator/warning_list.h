@@ -8,7 +8,7 @@
 
 namespace vybeg::ui {
 
-// Findings, a paragraph each; beyond the worst ones they are behind a link. Hidden without any.
+// Findings, a paragraph each; a link shows those beyond the worst ones. Hidden without any.
 class WarningList : public QLabel {
     Q_OBJECT
 

@@ -55,7 +55,7 @@ QList<QDir> foldersOf(const QDir& folder) {
 }
 
 // A file in the session's folder or a folder in it for a recording that is not at its path: one of
-// its name, otherwise one of its ending and content, as far as 256 MB tell. Empty: none.
+// its name, otherwise one of its ending and content, compared over 256 MB at most. Empty: none.
 QString foundNear(const QDir& folder, const QString& path, const QString& sha256) {
     const QFileInfo missing(path);
     const QList<QDir> folders = foldersOf(folder);

@@ -56,7 +56,7 @@ public:
     std::optional<QString> lackingSet() const;
     // Opens a recording that was not found in the place of one of the session.
     void supply(std::size_t absent, const QString& path);
-    // The window closes: waits for what is being saved; the backup is not needed any more.
+    // The window closes: waits for the save under way; the backup is not needed any more.
     void end();
 
 signals:

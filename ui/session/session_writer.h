@@ -17,7 +17,7 @@
 
 namespace vybeg::ui {
 
-// Tells contents of files apart.
+// Distinguishes contents of files.
 QByteArray digest(const QByteArray& bytes);
 
 // Writes states of sessions into their files in the background, one after the other: a slow disk
@@ -56,7 +56,7 @@ private:
 };
 
 // Copies of a session in the user's folder for data, so that a crash loses ten seconds at most. A
-// lock beside the copy tells the copies of running programs from abandoned ones.
+// lock beside the copy distinguishes copies of running programs from abandoned ones.
 class SessionBackup : public QObject {
     Q_OBJECT
 

@@ -36,7 +36,7 @@ public:
     explicit SettingsFields(QWidget* parent = nullptr);
 
     void setState(const SettingsState& state);
-    // What is chosen, in a few words, for where the fields are folded away.
+    // The choices in a few words, for fields that are folded away.
     virtual QString summary() const { return {}; }
     // First field with a fault; null without.
     NumberField* faulty() const;
@@ -104,7 +104,7 @@ protected:
             change([&](Settings& settings) { std::invoke(access, settings) = on; });
         });
     }
-    // What is called for each state, and in each language.
+    // A function that is called for each state, and in each language.
     void whenShown(std::function<void()> show) { shown_.push_back(std::move(show)); }
     // At the end of a group's constructor.
     void begin() {

@@ -454,7 +454,7 @@ void SignalStack::refresh(SignalPart part, TimePanel& panel) {
     panel.setTime(content_.time);
     AxisRange values = valuesOf(content_, picture_, part);
     if (head() == PlotHead::margin) {
-        // Of the overlay's line of text above what is drawn a part has room in the margin.
+        // The margin has room for a part of the overlay's line of text above the curves.
         const double line = (QFontMetricsF(font).height() + 2 * note_inset) /
                             std::max(1, panel.expectedSize().height());
         const double beyond = values.span() * margin / (1 + 2 * margin);

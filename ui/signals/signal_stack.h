@@ -48,8 +48,8 @@ struct SignalPicture {
     std::vector<EnvelopeBucket> columns;
     double columns_from_s = 0;
     double columns_to_s = 0;
-    // The wave itself where its periods can be told apart, otherwise its amplitudes; empty where it
-    // is hidden.
+    // The wave itself where its periods can be distinguished, otherwise its amplitudes; empty where
+    // it is hidden.
     SignalCurve wave;
     bool smooth = false;
     double period_pixels = 0;

@@ -139,7 +139,7 @@ SignalContent SignalsPage::content() const {
     return content;
 }
 
-// Shows what is there, and asks for the samples that are missing. Hidden, the page waits.
+// Shows the samples that are there, and asks for those that are missing. Hidden, the page waits.
 void SignalsPage::refresh() {
     const RecordingEntry* entry = document_.currentRecording();
     const auto samples = entry && entry->recording ? entry->recording->source : nullptr;

@@ -55,7 +55,7 @@ struct RecordingEntry;
 struct AnalysisEntry;
 
 // The signals of the current recording as samples, with the wave that the chosen analysis fitted to
-// them and what it leaves. Few samples are read in the background; what was read before is shown
+// them and the residual. Few samples are read in the background; those read before are shown
 // until they are there. Time range, zoom history and cursors are those of the tracks.
 class SignalsPage : public MeasuredPage {
     Q_OBJECT
@@ -82,7 +82,7 @@ private:
         std::shared_ptr<const SignalExcerpt> samples;
     };
 
-    // What is read of a recording.
+    // The part of a recording that was read.
     struct Known {
         RecordingId recording = RecordingId::none;
         std::shared_ptr<const SampleSource> samples{};  // as recorded

@@ -34,7 +34,7 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
 
 using ValueOf = std::function<double(const SweepLength&)>;
 
-// What is not above zero has no place on a logarithmic axis.
+// Only values above zero have a place on a logarithmic axis.
 XYSeries seriesOf(const WindowSweep& sweep, XYSeries series, double factor, const ValueOf& value) {
     for (const SweepLength& each : sweep.lengths) {
         const double y = factor * value(each);

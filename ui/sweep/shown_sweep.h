@@ -13,7 +13,7 @@
 
 namespace vybeg::ui {
 
-// What is shown of a sweep.
+// The choices of a view of a sweep.
 struct SweepView {
     std::size_t variable = 0;           // of main_slow_variables
     std::optional<std::size_t> chosen;  // of WindowSweep::lengths

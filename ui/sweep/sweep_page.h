@@ -50,7 +50,7 @@ class QuantityTable;
 struct RecordingEntry;
 
 // The current recording in windows of many lengths: scatter, bound, leakage and residual against
-// the length, and the window that the recording deserves. Computed in the background on demand; a
+// the length, and the recommended window. Computed in the background on demand; a
 // result is kept for each recording until the recording is closed or opened anew.
 class SweepPage : public MeasuredPage {
     Q_OBJECT
@@ -58,7 +58,7 @@ class SweepPage : public MeasuredPage {
 public:
     explicit SweepPage(Document& document, QWidget* parent = nullptr);
 
-    // What is shown; null without a result.
+    // The sweep on the page; null without a result.
     const WindowSweep* sweep() const;
     bool running() const { return running_ != RecordingId::none; }
 

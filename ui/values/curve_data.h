@@ -87,7 +87,7 @@ using Curves = std::vector<std::shared_ptr<const CurveData>>;
 Curves curvesOf(const std::shared_ptr<const Analysis>& analysis);
 
 // Whether the windows of an analysis reach this time: at most a window's length before the first
-// centre or behind the last one. A single window counts as everywhere.
+// centre or after the last one. A single window counts as everywhere.
 bool covers(const Analysis& analysis, double time_s);
 
 // Automatic value axis from the visible columns of several curves: all data except single far

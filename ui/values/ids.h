@@ -2,7 +2,7 @@
 
 namespace vybeg::ui {
 
-// What tells the recordings, analyses and sets of a document apart. All numbers come from one
+// The identity of recordings, analyses and sets of a document. All numbers come from one
 // counter (IdCounter).
 enum class RecordingId : int { none = 0 };
 enum class AnalysisId : int { none = 0 };

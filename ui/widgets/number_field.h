@@ -99,10 +99,10 @@ void frameFault(QWidget& field);
 // for other texts.
 std::optional<double> readNumber(QString text);
 
-// What is being typed into a field of the window counts, as after any other step out of the field.
+// A text being typed into a field of the window counts, as after any other step out of the field.
 void enterTyped(QWidget& window);
-// It counts no more: a field that loses the focus as it goes would enter it in what is gone
-// already.
+// It counts no more: a field that loses the focus as it goes would enter it in an object that is
+// gone already.
 void dropTyped(QWidget& window);
 
 }  // namespace vybeg::ui

@@ -87,7 +87,7 @@ public:
     explicit Section(QWidget* content, QWidget* parent = nullptr);
 
     void setTitle(const QString& title);
-    // What stands below the title while the part is folded away.
+    // The text below the title while the part is folded away.
     void setNote(const QString& note);
     void setOpen(bool open) { title_->setChecked(open); }
     bool isOpen() const { return title_->isChecked(); }

@@ -34,7 +34,7 @@ constexpr int header_margin = 16;
 
 // The text as it is drawn: no line breaks within a unit or before a deviation.
 QString unbroken(QString text) {
-    // Neither does a symbol stand alone on a line behind the name of its quantity.
+    // Nor does a symbol begin a line of its own after the name of its quantity.
     static const QRegularExpression symbol(QStringLiteral(" (\\S{1,4})(?=,|$)"));
     return text.replace(symbol, QStringLiteral("\u00a0\\1"))
         .replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
@@ -246,7 +246,7 @@ int QuantityTable::headerHeight(const std::vector<int>& widths) const {
     return texts > 0 ? texts + horizontalHeader()->sizeHint().height() - fontMetrics().height() : 0;
 }
 
-// Takes what is too much from the columns from the `first` on, each by its share of the room that
+// Takes the excess from the columns from the `first` on, each by its share of the room that
 // its words leave.
 void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t first) {
     std::vector<int> slack(first);
@@ -288,7 +288,7 @@ void QuantityTable::setConcise(bool concise) {
     concise_ = concise;
 }
 
-// Itself, and the one whose columns stand in line with its own.
+// Itself, and the one whose columns are aligned with its own.
 std::vector<QuantityTable*> QuantityTable::aligned() {
     const bool both =
         beside_ && !beside_->isHidden() && !isHidden() && beside_->columnCount() == columnCount();

@@ -43,11 +43,11 @@ class QuantityTable : public QTableWidget {
 public:
     explicit QuantityTable(QWidget* parent = nullptr);
 
-    // One header for each cell of a row; {} : no header line. `short_headers` stand where the
-    // others have no room.
+    // One header for each cell of a row; {} : no header line. `short_headers` are used where
+    // the others have no room.
     void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows,
                     const QStringList& short_headers = {});
-    // From now on the columns of both stand in line, while both are shown with as many columns.
+    // From now on the columns of both are aligned, while both are shown with as many columns.
     void alignWith(QuantityTable& other);
     // A line of headers, then the rows; in the decimal sign of the interface's language.
     QString tableText() const;

@@ -212,7 +212,7 @@ double contrast(const QColor& a, const QColor& b) {
 }
 
 QColor inkColor(Ink ink, int style, const Theme& theme, int shades) {
-    // Those behind Ink::style.
+    // Those after Ink::style.
     static constexpr std::array colors{&Theme::text,    &Theme::mutedText, &Theme::signalC,
                                        &Theme::signalD, &Theme::accent,    &Theme::warning};
     if (ink == Ink::style) {

@@ -70,7 +70,7 @@ QColor readable(const QColor& color, const Theme& theme, int shade = 0);
 // `shades` > 0.
 QColor inkColor(Ink ink, int style, const Theme& theme, int shades = 0);
 
-// A colour of which a part, 0 to 1, is seen over what is below it.
+// A colour of which a part, 0 to 1, covers the colours below it.
 QColor translucent(QColor color, double part);
 
 // Contrast of two opaque colours after WCAG 2, 1 to 21.

@@ -77,7 +77,7 @@ struct CommandRow {
     const char* icon = nullptr;
     QList<QKeySequence> keys{};
     std::function<bool()> enabled{};
-    std::function<QString()> object{};  // words behind the text, as of what is undone
+    std::function<QString()> object{};  // words after the text, as those of the step to undo
     std::function<void()> act{};
     std::function<void(bool)> switched{};
 };

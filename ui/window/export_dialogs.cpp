@@ -273,10 +273,10 @@ const ReportSubject& ReportDialog::subject() const {
     return subjects_[static_cast<std::size_t>(subject_->currentIndex())];
 }
 
-// What a measurement list tells of the subject, otherwise what the dossier tells.
+// The subject's data of a measurement list, otherwise those of the dossier.
 void ReportDialog::propose() {
     proposed_ = titleOf(document_.dossier().dossier().gyro);
-    // Each of several sets has its own date, and what its list tells.
+    // Each of several sets has its own date, and the data of its list.
     if (!subject().all_sets) {
         proposed_ = completed(reportContentOf(document_, subject()).title, proposed_);
     }

@@ -54,8 +54,8 @@ private:
     QPushButton* save_;
 };
 
-// Asks what a report is about and for its title block. Gyro, operator and comment are those that a
-// measurement list tells, otherwise those of the session's dossier, which takes what is typed here;
+// Asks what a report is about and for its title block. Gyro, operator and comment are those of a
+// measurement list, otherwise those of the session's dossier, which takes the texts typed here;
 // the instrument is the last one.
 class ReportDialog : public QDialog {
     Q_OBJECT

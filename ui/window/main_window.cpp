@@ -89,7 +89,7 @@ QString linkTo(Page page) {
     return QStringLiteral("<a href=\"%1\">%2</a>").arg(pageWord(page), pageTitle(page));
 }
 
-// What is open that is no recording, and the pages of its results; empty: nothing.
+// The open sets and logs, and the pages of their results; empty: none.
 QString openedText(const Document& document) {
     QStringList opened;
     for (const RecordingSet& set : document.sets().all()) {

@@ -194,11 +194,11 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
         page(Page::tracks, QT_TR_NOOP("Trac&ks"),
              QT_TR_NOOP("The page with the slow variables over time"), any),
         page(Page::samples, QT_TR_NOOP("Si&gnals"),
-             QT_TR_NOOP("The page with the samples, the wave fitted to them and what it leaves"),
+             QT_TR_NOOP("The page with the samples, the wave fitted to them and the residual"),
              any),
         page(Page::residuals, QT_TR_NOOP("Resi&duals"),
-             QT_TR_NOOP("The page with spectrum, distribution and autocorrelation of what the "
-                        "waves leave of the samples"),
+             QT_TR_NOOP("The page with spectrum, distribution and autocorrelation of the "
+                        "residuals of an analysis"),
              any),
         page(Page::windows, QT_TR_NOOP("&Windows"),
              QT_TR_NOOP("The page with scatter, bound and leakage against the length of the "

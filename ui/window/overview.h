@@ -23,7 +23,7 @@ public:
     Overview(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
     FindingsFlag& flag() const { return *flag_; }
-    // Stands over the time axis of a view while that is shown, as of the tracks.
+    // Aligned with the time axis of a view while that is shown, as of the tracks.
     void standOver(const TimeGestures& view);
     // Analyses from now on what the plots show.
     void analyseVisibleRange();

@@ -15,8 +15,8 @@ namespace vybeg::ui {
 // The pages in the order of their tabs.
 enum class Page { tracks, samples, residuals, windows, resonator, drift, history };
 
-// What stands in the middle of the window in place of a page that has nothing to show: ways to open
-// a recording, and what is open that has another page.
+// The middle of the window in place of a page that has nothing to show: ways to open a recording,
+// and the open logs and sets that have another page.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ struct PageNeeds {
     bool sidebar = false;   // settings of the analysis
     bool ledger = false;    // recordings, analyses and what they read
     bool overview = false;  // of the current recording
-    bool wave = false;      // may stand beside
+    bool wave = false;      // may be shown beside
 };
 
 // The word of a page in a session, and the page of a word; nothing for another word.
@@ -59,7 +59,7 @@ std::optional<Page> pageOfWord(const QString& word);
 // As on its tab.
 QString pageTitle(Page page);
 
-// What is open: recordings, sets that show something without them, whole-angle logs, and tracks of
+// The open data: recordings, sets that show something without them, whole-angle logs, and tracks of
 // logs.
 struct OpenThings {
     bool recordings = false;
@@ -70,8 +70,8 @@ struct OpenThings {
     friend bool operator==(const OpenThings&, const OpenThings&) = default;
 };
 
-// The middle of the window: pages, and their tabs, which stand elsewhere. While no recording is
-// open, the welcome stands in the place of those about recordings, but for the tracks of logs;
+// The middle of the window: pages, and their tabs, which are elsewhere. While no recording is
+// open, the welcome replaces those about recordings, but for the tracks of logs;
 // while nothing is, alone.
 class PageStack : public QWidget {
     Q_OBJECT

@@ -19,7 +19,7 @@ namespace {
 // Analyses shorter than this come and go without a progress bar, which would only flicker while a
 // setting is changed.
 constexpr int patience_ms = 250;
-// So long a text stands over a page.
+// So long a text is shown over a page.
 constexpr int news_ms = 6000;
 
 }  // namespace
@@ -126,7 +126,7 @@ void StatusLine::whenBusyChanged() {
     }
     refresh();
     if (!busy && analysing_) {
-        // Nothing came of it that has a text of its own; an error stands among the messages.
+        // No outcome has a text of its own; an error is among the messages.
         tell([cancelled = cancelled_] { return cancelled ? tr("Cancelled") : QString(); });
     }
 }

@@ -13,9 +13,9 @@ namespace vybeg::ui {
 
 class Document;
 
-// What the status bar shows: news that need no answer, how the last analysis ended, or how far the
-// one under way is, with the button that stops it. Over a page that owns the window it stands only
-// while it has news.
+// The status bar: news that need no answer, how the last analysis ended, or the progress of the one
+// under way, with the button that stops it. Over a page that owns the window it is shown only while
+// it has news.
 class StatusLine : public QWidget {
     Q_OBJECT
 

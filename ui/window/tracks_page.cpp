@@ -40,8 +40,8 @@ QString settingsText(const AnalysisEntry& entry) {
     return text;
 }
 
-// "σ(2θ_A) = 0.011°": the standard deviation of a window in the middle of the track, by which a
-// column tells what its length of window costs.
+// "σ(2θ_A) = 0.011°": the standard deviation of a window in the middle of the track, which shows
+// the cost of a column's length of window.
 QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
     constexpr SlowVariable variable = SlowVariable::two_theta_A;
     std::vector<double> sds(analysis.track.sds(variable).begin(),

@@ -17,7 +17,7 @@ class NumberField;
 class TrackView;
 
 // The plots of all shown analyses, as the document has them, and of the tracks of logs, whose names
-// stand above.
+// are above.
 class TracksPage : public MeasuredPage {
     Q_OBJECT
 

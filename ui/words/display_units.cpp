@@ -177,7 +177,7 @@ QString noiseText(double sd) {
         return valueText(sd, 0);
     }
     const double rounded = *parse_number(short_text(sd, digits));
-    // The deviation whose only digit stands in the place of the last one.
+    // The deviation whose only digit is in the place of the last one.
     QuantityText quantity =
         quantity_text(rounded, 3 * std::pow(10.0, std::floor(std::log10(rounded)) - (digits - 1)));
     quantity.sd.clear();

@@ -12,11 +12,11 @@
 
 namespace vybeg::ui {
 
-// Runs of more than four digits of a number, before and behind its decimal sign, in groups of
+// Runs of more than four digits of a number, before and after its decimal sign, in groups of
 // three: "5300.000 171 7". The gap is a narrow no-break space, which number fields read over.
 QString groupedDigits(const QString& number);
 
-// Numbers as they stand beside an axis: the default locale's decimal sign, a true minus, digits in
+// Numbers beside an axis: the default locale's decimal sign, a true minus, digits in
 // groups.
 QString numberLabel(double value, int decimals);
 // A number of things.
@@ -70,7 +70,7 @@ struct DisplayScale {
 // f0_hz is what the frequency's deviation is counted from.
 DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz);
 
-// What stands above a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and the
+// The head of a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and the
 // unit, e.g. "Hz"; empty where there is none.
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units);
 QString displayUnit(SlowVariable variable, const DisplayUnits& units);
@@ -89,7 +89,7 @@ bool isWrapped(SlowVariable variable);
 QString noiseText(double sd);
 
 // "0.9987 ± 0.0012": core/output/quantity_text.h with the default locale's decimal sign, a true
-// minus and digits in groups; "—" for NaN. With a combined uncertainty behind it where that
+// minus and digits in groups; "—" for NaN. With a combined uncertainty after it where that
 // differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u = std::numeric_limits<double>::quiet_NaN());
 // The combined uncertainty by itself, in the digits it has in valueText(): "0.0003".

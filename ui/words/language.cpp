@@ -16,7 +16,8 @@ void Language::use(const QString& code) {
                          ? QLocale(QLocale::Russian, QLocale::Russia)
                          : QLocale(QLocale::English, QLocale::UnitedStates);
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    // Installing and removing a translator tells every widget: the locale must be in place before.
+    // Installing and removing a translator notifies every widget: the locale must be in place
+    // before.
     QLocale::setDefault(locale);
     ours_.reset();
     qts_.reset();

@@ -36,7 +36,7 @@ bool isSymbol(const QString& text, qsizetype at, qsizetype end) {
     return symbols.contains(text.mid(at - 1, end - at + 1));
 }
 
-// Whether the underscore follows a symbol, one or two letters, and what is behind it is not the end
+// Whether the underscore follows a symbol, one or two letters, and the text after it is not the end
 // of a file's name: "a_A.wav", "a_A_c" have none.
 bool beginsIndex(const QString& text, qsizetype at) {
     const auto is_word = [&text](qsizetype place) {

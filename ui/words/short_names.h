@@ -5,8 +5,8 @@
 
 namespace vybeg::ui {
 
-// Names by what differs between them: an ellipsis stands for the end, and where `beginning` is set
-// for the beginning, that all of them share, up to whole words and numbers. As they are where no
+// Names by what differs between them: an ellipsis replaces the end, and where `beginning` is set
+// the beginning, that all of them share, up to whole words and numbers. As they are where no
 // more than a few letters are shared.
 QStringList distinctNames(const QStringList& names, bool beginning = true);
 

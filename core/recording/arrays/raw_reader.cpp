@@ -106,7 +106,7 @@ void take_xml(std::string_view text, ZetlabHeader& header) {
     }
 }
 
-// A key and, behind blanks, its value in each line.
+// A key and, after blanks, its value in each line.
 void take_lines(std::string_view text, ZetlabHeader& header) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());

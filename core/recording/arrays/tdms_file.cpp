@@ -562,7 +562,7 @@ private:
         }
     }
 
-    // %1 stands for the channel.
+    // %1 is the channel.
     Error damaged(const char* text) const {
         return file_.damaged("TDMS", text, {channel_.channel});
     }

@@ -279,7 +279,7 @@ private:
         const bool known = std::find(unpacked.begin(), unpacked.end(), tag) != unpacked.end();
         extent_.packed_as = known ? 0 : tag;
         frame_bytes_ = known ? load<std::uint16_t>(chunk.payload + 12, big_endian_) : 0;
-        constexpr std::uint16_t extensible = 0xFFFE;  // the tag of integers stands further behind
+        constexpr std::uint16_t extensible = 0xFFFE;  // the tag of integers follows later
         const auto kind =
             tag == extensible ? load<std::uint16_t>(chunk.payload + 24, big_endian_) : tag;
         extent_.bits = kind == 1 ? load<std::uint16_t>(chunk.payload + 14, big_endian_) : 0;
@@ -359,7 +359,7 @@ std::string audio_container(std::string_view head) {
 }
 
 std::int64_t tag_before_flac(std::string_view head, const FileBytes& file) {
-    constexpr std::size_t tag_head = 10;  // and as many bytes behind the tag where it has a footer
+    constexpr std::size_t tag_head = 10;  // and as many bytes after the tag where it has a footer
     if (head.size() < tag_head || !head.starts_with("ID3")) {
         return 0;
     }

@@ -29,8 +29,8 @@ struct HeaderPatch {
     std::string bytes;
 };
 
-// Samples of a WAV, RF64 or W64 file that are plain numbers one behind the other, where the header
-// leaves no doubt of it: what is said twice agrees. Integers are fractions of full scale.
+// Samples of a WAV, RF64 or W64 file that are plain numbers one after the other, where the header
+// leaves no doubt of it: fields that repeat each other agree. Integers are fractions of full scale.
 struct PlainSamples : NumberArray {
     std::string container;  // "WAV", "WAVEX" (with an extensible header), "RF64" or "W64"
     std::string type_name;  // "Signed 16 bit PCM", "64 bit float", ...

@@ -124,33 +124,33 @@ private:
     std::vector<PhaseStep> found_;
 };
 
-// Frames of the shortest range that stands still: a period of the carrier, 16 at least.
+// Frames of the shortest constant range that counts: a period of the carrier, 16 at least.
 std::int64_t least_still_frames(double f0_hz, double rate_hz);
 
 // Whether no channel moves over so many frames.
 bool stand_still(std::span<const double> c, std::span<const double> d, std::int64_t frames);
 
-// Finds what a recorder or a decoder has put in place of lost samples, zeros or the last one, in
-// one pass: ranges that stand still, but for the silence before the wave, from the first frame on;
-// and shorter ones, frames that repeat the one before, or are zero in both channels, and lie off
-// the sinusoid through their neighbours.
+// Finds the zeros or repeated samples that a recorder or a decoder has put in place of lost ones,
+// in one pass: constant ranges, but for the silence before the wave, from the first frame on; and
+// shorter ones, frames that repeat the one before, or are zero in both channels, and lie off the
+// sinusoid through their neighbours.
 class FillCheck {
 public:
     FillCheck(double f0_hz, double rate_hz);
 
     // Adds the next frames of both channels, one at least, in order.
     void add(std::int64_t first_frame, std::span<const double> c, std::span<const double> d);
-    // Ends the check: the ranges that stand still, in order, at most ClippingCheck::most_places.
+    // Ends the check: the constant ranges, in order, at most ClippingCheck::most_places.
     std::vector<FrameRange> finish();
 
-    // Of all ranges that stand still but for the silence.
+    // Of all constant ranges but for the silence.
     std::int64_t still_places() const { return still_places_; }
     std::int64_t still_frames() const { return still_frames_; }
     // Shorter fills, and the frame of the first.
     std::int64_t short_fills() const { return short_fills_; }
     std::int64_t first_short() const { return first_short_; }
 
-    // Samples of a channel that stand still, the silence with them: they are of no offset.
+    // Samples of a channel in constant ranges and the silence, which do not count for the offset.
     struct Sums {
         double sum = 0;
         double squares = 0;

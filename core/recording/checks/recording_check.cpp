@@ -134,7 +134,7 @@ namespace {
 
 // Seconds from the start until the power of both channels, less that of the noise, decays as in the
 // second half of the samples, in steps of a 64th of their length. 0 without a transient, where the
-// power changes smoothly all the way (a beat behind channels of different gain), and where the
+// power changes smoothly all the way (a beat in channels of different gain), and where the
 // check is inconclusive: no exponential decay, or fewer than 4096 samples.
 double start_transient_s(std::span<const double> c, std::span<const double> d, double f0_hz,
                          double rate_hz) {

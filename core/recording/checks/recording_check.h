@@ -36,7 +36,7 @@ std::vector<MainsLine> mains_lines(std::span<const double> c, std::span<const do
 // Faults of the samples in the file, before calibration and filter.
 struct SampleFaults {
     std::vector<Diagnostic> findings;  // channels without a signal of their own, missing samples,
-                                       // clipping, ranges that stand still, lost and doubled
+                                       // clipping, constant ranges, lost and doubled
                                        // samples
     std::vector<FrameRange> clipped;   // ranges at a rail in either channel, in order
     std::vector<FrameRange> still;     // ranges in which no channel moves, in order
@@ -72,7 +72,7 @@ private:
                      std::span<const double> d);
 
     void report_fills(FillCheck& fills, SampleFaults& faults) const;
-    // The sums without what stands still.
+    // The sums without constant ranges.
     std::array<ChannelSums, 2> moving() const;
 
     double rate_hz_;
@@ -102,7 +102,7 @@ Result<std::vector<Diagnostic>> start_findings(const SampleSource& source, doubl
 Result<SampleFaults> check_recording(const SampleSource& source, double rate_hz,
                                      std::optional<double> f0_hz, const JobControl& job);
 
-// Adds findings to diagnostics, but for missing samples of which these tell already.
+// Adds findings to diagnostics, but for missing samples that are already among these.
 void add_findings(const std::vector<Diagnostic>& findings, std::vector<Diagnostic>& diagnostics);
 
 // The source itself, whose frames a check sees the first time they are read: what an analysis reads

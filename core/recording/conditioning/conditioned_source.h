@@ -13,7 +13,7 @@
 
 namespace vybeg {
 
-// What is known of the pick-offs. The calibrated signals are
+// Calibration of the pick-offs. The calibrated signals are
 //     C(t) = S_C(t) - offset_c,   D(t) = kappa (S_D(t + delay_d) - offset_d).
 // The angle of the first electrode turns tracks and phasors; the samples stay as they are.
 struct Calibration {
@@ -37,14 +37,14 @@ struct Calibration {
 std::shared_ptr<const SampleSource> calibrated(std::shared_ptr<const SampleSource> source,
                                                const Calibration& calibration, double rate_hz);
 
-// The source with a gap of missing samples (NaN) wherever samples were lost, as long as what was
-// lost, so that time runs on behind it. Doubled samples stay, and where the phase
-// does not tell how many were lost it is the number nearest to zero. Steps are in the order of
+// The source with a gap of missing samples (NaN) wherever samples were lost, as long as the
+// lost samples, so that time runs on after it. Doubled samples stay, and where the phase
+// leaves the number of lost samples open it is the one nearest to zero. Steps are in the order of
 // their frames. Returns `source` itself where nothing was lost.
 std::shared_ptr<const SampleSource> with_gaps(std::shared_ptr<const SampleSource> source,
                                               std::span<const PhaseStep> steps);
 
-// The source behind a zero-phase band-pass (METHOD section 3, --filter): a symmetric
+// The source after a zero-phase band-pass (METHOD section 3, --filter): a symmetric
 // Kaiser-windowed FIR, passband flat within 1e-4 from low_hz to high_hz, 80 dB down beyond a
 // transition of half the band's width on either side (less where 0 or half the rate is nearer),
 // applied by FFT overlap-save while reading. A channel is NaN where the filter's half-length
@@ -58,7 +58,7 @@ Result<std::shared_ptr<const SampleSource>> band_passed(std::shared_ptr<const Sa
                                                         double rate_hz,
                                                         std::optional<double> unit_hz = {});
 
-// The filter's half-length in samples: what it takes at each end. Precondition: 0 < low_hz <
+// The filter's half-length in samples, which is lost at each end. Precondition: 0 < low_hz <
 // high_hz < rate_hz / 2.
 std::int64_t band_pass_reach(double low_hz, double high_hz, double rate_hz);
 

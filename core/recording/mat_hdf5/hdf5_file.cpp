@@ -20,7 +20,7 @@
 namespace vybeg {
 namespace {
 
-// What the attributes of a group or dataset tell about its samples.
+// The attributes of a group or dataset about its samples.
 struct Hdf5Attributes {
     std::optional<double> rate_hz;  // by rate_by_name()
     std::string unit;               // "unit" or "units"
@@ -302,7 +302,7 @@ private:
         return limit(VYBEG_MESSAGE("Words", "it has more than %1 objects"), most_objects);
     }
 
-    // The attributes around a group hold for what is in it.
+    // The attributes around a group hold for its content.
     Status list_group(hid_t group, const std::string& path, Hdf5Attributes around,
                       std::size_t depth) {
         if (depth > most_depth) {

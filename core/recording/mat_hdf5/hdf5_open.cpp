@@ -111,8 +111,8 @@ bool read_descriptor(hid_t access, int descriptor) {
 constexpr std::size_t chunk_cache_bytes = std::size_t{16} << 20;  // a block of C, then of D
 constexpr std::size_t chunk_slots = 10007;  // a prime, far more than chunks fit
 
-// The property by which h5clear opens a file that is marked as being written. The mark stands in
-// the file alone; it is passed over here, and stays.
+// The property by which h5clear opens a file that is marked as being written. The mark is in
+// the file alone; it is ignored here, and stays.
 constexpr const char* pass_over_marks = "clear_status_flags";
 
 // The driver has the file already. Absolute: of another the library asks for the current folder.

@@ -103,8 +103,8 @@ void count_from_start(LogTable& table) {
     }
 }
 
-// Place of a wished column, from 0; -1: it is not there. A table without names has the told ones in
-// their order, a text all of them.
+// Place of a wished column, from 0; -1: it is not there. A table without names has the stated ones
+// in their order, a text all of them.
 int place_of(const std::vector<Channel>& headings, std::span<const ColumnWish> wishes,
              std::size_t wish, bool in_text) {
     const std::string& column = wishes[wish].column;

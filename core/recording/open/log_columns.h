@@ -34,7 +34,7 @@ struct ColumnWish {
 };
 
 // `text` names roles with commas between them, each with `=COLUMN` where the file calls it
-// otherwise; empty: all roles by their usual names. Roles that need not be there follow behind
+// otherwise; empty: all roles by their usual names. Roles that need not be there follow after
 // those that are named. Errors: setting_invalid.
 Result<std::vector<ColumnWish>> column_wishes(const std::string& text,
                                               std::span<const ColumnRole> roles);
@@ -63,12 +63,12 @@ struct LogTable {
 };
 
 // Reads the columns of a text, of NPY, NPZ, MAT or HDF5. A text without names has them in the order
-// of the wishes, an array in that of those told. Of MAT they are vectors, or the columns of the
-// table that Moku's converter writes. Times are those of the file, never brought onto a grid; those
-// of a text without times follow from --rate. A row that repeats the time of the one before is left
-// out. Times in ticks, as those of LabOne, are brought to seconds by --rate, or by the clockbase of
-// the _header_ file beside it. A ZIP file of one text is that text. Errors: no_log, column_missing,
-// rate_unknown and those of the readers.
+// of the wishes, an array in that of the stated ones. Of MAT they are vectors, or the columns of
+// the table that Moku's converter writes. Times are those of the file, never brought onto a grid;
+// those of a text without times follow from --rate. A row that repeats the time of the one before
+// is left out. Times in ticks, as those of LabOne, are brought to seconds by --rate, or by the
+// clockbase of the _header_ file beside it. A ZIP file of one text is that text. Errors: no_log,
+// column_missing, rate_unknown and those of the readers.
 Result<LogTable> read_log(const std::filesystem::path& path, const OpenOptions& options,
                           std::span<const ColumnWish> wishes, const JobControl& job);
 
@@ -86,7 +86,7 @@ void bring_to_unit_of(const LogColumn& other, LogColumn& column);
 std::pair<double, double> range_of(const LogColumn& column);
 
 // Factor from a column of angles to theta_A in rad: by its unit, or else by `told` (rad per unit,
-// 0: not told); a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.
+// 0: not stated); a half where its name says that it is 2 theta_A. Errors: angle_unit_unknown.
 Result<double> angle_factor(const std::filesystem::path& path, const LogColumn& column,
                             double told);
 

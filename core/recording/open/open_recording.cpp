@@ -174,7 +174,7 @@ bool is_untimed(const Result<Recording>& recording) {
 }
 
 // How long after a piece's last sample the next piece's first one is due, seconds beyond one
-// sample period; nothing where the pieces do not tell. Starts are known to their last digit.
+// sample period; nothing where the pieces do not state it. Starts are known to their last digit.
 std::optional<double> gap_between(const Recording& piece, const Recording& next) {
     if (piece.first_time_s && next.first_time_s) {
         constexpr double day_s = 86400;
@@ -254,7 +254,7 @@ Result<Recording> open_pair(const std::filesystem::path& path, const OpenOptions
 }
 
 // A recording in pieces (options.join): each where its times, or its start, put it; gaps between
-// them are missing samples (time_gap). Pieces that tell neither follow each other
+// them are missing samples (time_gap). Pieces without either follow each other
 // (pieces_untimed). Errors: those of every file; parts_differ for unlike sample rates, units
 // and numbers of channels, and for a piece that begins before the end of the one above it;
 // format_limit for gaps that are absurdly long.

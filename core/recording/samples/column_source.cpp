@@ -154,8 +154,8 @@ Status read_blocks(std::int64_t first, std::size_t length, Most most, Read read)
 
 }  // namespace
 
-StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stride,
-                      bool big_endian) {
+StridedRange contiguous_range(std::int64_t count, std::int64_t offset, std::int64_t stride,
+                              bool big_endian) {
     StridedRange range;
     range.count = count;
     range.per_chunk = std::max<std::int64_t>(count, 1);
@@ -202,7 +202,7 @@ SampleColumn array_column(const NumberArray& array, std::shared_ptr<const ByteSo
         room < 0 || array.channels == 0 ? 0 : std::min(array.frames, room / stride + 1);
     return {std::move(bytes),
             array.type,
-            {even_run(count, offset, stride, array.big_endian)},
+            {contiguous_range(count, offset, stride, array.big_endian)},
             array.scale};
 }
 

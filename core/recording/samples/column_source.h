@@ -28,8 +28,8 @@ struct StridedRange {
 };
 
 // Samples at equal distances, all in one chunk.
-StridedRange even_run(std::int64_t count, std::int64_t offset, std::int64_t stride,
-                      bool big_endian);
+StridedRange contiguous_range(std::int64_t count, std::int64_t offset, std::int64_t stride,
+                              bool big_endian);
 
 // Positions of the samples of one channel in a binary file.
 struct SampleColumn {

@@ -210,7 +210,7 @@ constexpr std::array time_units{std::pair{"s", 1.0}, std::pair{"ms", 1e-3}, std:
 constexpr const char* allowed_time_units = "it is s, ms, us or ns";
 constexpr std::array decimal_signs{std::pair{"point", false}, std::pair{"comma", true}};
 
-// Whether one of the words stands for the value; a value that is not there needs none.
+// Whether the value has a word; a value that is not there needs none.
 template <class Words, class Value>
 bool has_word(const Words& words, const std::optional<Value>& value) {
     return !value ||

@@ -45,7 +45,7 @@ bool are_times_or_rows(std::span<const double> samples, double rate_hz) {
                             }) == samples.end();
 }
 
-// Only channels without a name are looked at: the names of others tell times from signals.
+// Only channels without a name are looked at: the names of others distinguish times from signals.
 // Errors: channel_is_time; those of the source.
 Status check_signals(const FileBytes& file, const Recording& recording) {
     constexpr std::int64_t looked_at = 1000;  // frames; a shorter start may rise by chance
@@ -155,7 +155,7 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options) {
     constexpr double too_coarse = 0.2;  // of times in whole seconds, for instance
-    constexpr double most_hz = 1e9;     // what is above counts days, from 1900 or year 0
+    constexpr double most_hz = 1e9;     // higher rates are of days, from 1900 or year 0
     const bool is_told = own && own->hz > 0 && own->relative_sd < too_coarse &&
                          (own->from != RateOrigin::time_column || own->hz < most_hz);
     if (is_told) {
@@ -190,7 +190,7 @@ Result<Recording> complete_recording(const FileBytes& file, FoundSamples found,
     Recording recording(std::move(static_cast<Recording&>(found)));
     recording.path = file.path();
     recording.rate_hz = rate.hz;
-    constexpr double arithmetic = 1e-12;  // what is less comes from the times' sums
+    constexpr double arithmetic = 1e-12;  // smaller ones come from the times' sums
     recording.rate_relative_sd = rate.relative_sd > arithmetic ? rate.relative_sd : 0;
     recording.rate_from = rate.from;
     recording.channel_c = options.channel_c;
@@ -325,7 +325,7 @@ Result<Recording> pair_channels(Recording c, Recording d, const std::string& nam
 
 namespace {
 
-// A whole word of the name, or its end behind a digit or a small letter: "run_c", "runC".
+// A whole word of the name, or its end after a digit or a small letter: "run_c", "runC".
 bool stands_alone(std::string_view name, std::size_t at, std::size_t length) {
     const bool ends = at + length == name.size() || !is_letter(name[at + length]);
     const bool capital = name[at] >= 'A' && name[at] <= 'Z';
@@ -353,7 +353,7 @@ std::vector<std::string> names_like(const std::string& name) {
     const auto letters =
         parts_between("C D c d X Y x y A B a b cos sin Cos Sin COS SIN I Q left right L R", ' ');
     std::vector<std::string> names;
-    // LabOne counts its files behind the number of the demodulator.
+    // LabOne counts its files after the number of the demodulator.
     constexpr std::string_view demodulator = "demods_";
     if (const std::size_t at = name.find(demodulator); at != std::string::npos) {
         std::size_t end = at + demodulator.size();

@@ -53,8 +53,8 @@ double note_units(const Channel& c, const Channel& d, std::vector<Diagnostic>& d
 Result<SampleRate> choose_rate(const FileBytes& file, std::optional<SampleRate> own,
                                const OpenOptions& options);
 
-// Result of a reader: format, channels, start, diagnostics and samples of a recording, and what
-// tells the rest of it.
+// Result of a reader: format, channels, start, diagnostics and samples of a recording, and the
+// data that complete it.
 struct FoundSamples : Recording {
     std::optional<SampleRate> own_rate{};  // of the file
     std::int64_t present_frames = 0;       // in the file; a resampled grid may have another number
@@ -83,7 +83,7 @@ void align_channels(double delay_s, Recording& recording, double rate_ratio = 1)
 
 // One recording of two that were opened with one channel each (channel_c == channel_d), whose
 // channels are then C and D, in C's unit. D's samples are brought to C's times; the end of the
-// longer channel is left out (channels_unequal). `name_d` stands for D in a sentence. Errors:
+// longer channel is left out (channels_unequal). `name_d` names D in a sentence. Errors:
 // parts_differ for unlike sample rates, but for those of two time columns up to 200 ppm, unlike
 // starts, and times that have nothing in common.
 Result<Recording> pair_channels(Recording c, Recording d, const std::string& name_d);

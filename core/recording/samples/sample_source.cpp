@@ -100,7 +100,7 @@ std::shared_ptr<const SampleSource> scaled_source(std::shared_ptr<const SampleSo
 
 namespace {
 
-// Delays of the frames, one for each piece of them: pieces do not depend on what is read.
+// Delays of the frames, one for each piece of them: pieces do not depend on the range that is read.
 class Delays {
 public:
     Delays(double samples, double drift, std::int64_t frames)
@@ -139,7 +139,7 @@ public:
         return {filters_[place], static_cast<std::int64_t>(whole)};
     }
     bool move() const { return piece_ > 0; }
-    // The frame behind those of one delay.
+    // The frame after those of one delay.
     std::int64_t piece_end(std::int64_t frame) const {
         return !move() ? std::numeric_limits<std::int64_t>::max() : (frame / piece_ + 1) * piece_;
     }
@@ -169,8 +169,8 @@ std::shared_ptr<const SampleSource> delayed_source(std::shared_ptr<const SampleS
         std::vector<double> raw_c;
         std::vector<double> raw_d;
         for (std::int64_t at = first; at < end;) {
-            // Blocks bound the memory of a long read, and are never short beside what is read
-            // twice. Within a block the delay changes by less than a filter's length.
+            // Blocks bound the memory of a long read, and are always long against the frames that
+            // are read twice. Within a block the delay changes by less than a filter's length.
             const std::int64_t beside = delays->move() ? 64 : 0;
             const Delays::Delay nearly = delays->at(at);
             const std::int64_t block_end = std::min(

@@ -64,7 +64,8 @@ struct SourcePiece {
     std::int64_t end() const { return first + count; }
 };
 
-// Pieces one behind the other; what lies between them is missing. Precondition: one piece or more.
+// Pieces one after the other; the samples between them are missing. Precondition: one piece or
+// more.
 std::shared_ptr<const SampleSource> joined_source(std::vector<SourcePiece> pieces);
 
 // The source with channel D so many samples later: D(k) = S_D(k - delay), by band-limited

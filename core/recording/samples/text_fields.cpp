@@ -146,7 +146,7 @@ std::vector<std::string> header_fields(std::string_view line, char delimiter) {
 }
 
 std::string usual_number(std::string_view field, bool groups) {
-    // A blank, or a point, before three digits and no fourth, behind another digit; without a
+    // A blank, or a point, before three digits and no fourth, after another digit; without a
     // break, also of Windows-1251.
     const auto group_blank = [](std::string_view rest) -> std::size_t {
         for (const std::string_view blank : {" ", "\xC2\xA0", "\xE2\x80\xAF", "\xA0", "."}) {
@@ -274,7 +274,7 @@ bool take_date(std::string_view& text) {
     const std::string_view last = take_while(rest, is_digit);
     const bool is_date =
         first.size() == 4 ? is_day(last) : is_day(first) && (last.size() == 2 || last.size() == 4);
-    // Behind a date stand a time or nothing: 1.5.24.7 is none.
+    // Only a time may follow a date: 1.5.24.7 is none.
     if (!is_date || (!rest.empty() && !is_one_of("T _", rest.front()))) {
         return false;
     }
@@ -341,7 +341,7 @@ std::optional<ClockField> parse_clock(std::string_view field) {
         clock.decimals = static_cast<int>(digits.size());
         clock.fraction_s = static_cast<double>(value) / std::pow(10.0, clock.decimals);
     }
-    // "12:00:05+03:00 2024-05-01": behind the time, its zone and the date.
+    // "12:00:05+03:00 2024-05-01": after the time, its zone and the date.
     const std::string_view behind = trimmed(field);
     const std::size_t blank = dated ? std::string_view::npos : behind.rfind(' ');
     std::string_view date = behind.substr(blank == std::string_view::npos ? 0 : blank + 1);

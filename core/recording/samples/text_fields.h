@@ -35,7 +35,7 @@ bool is_comment(std::string_view line, char delimiter);
 // after the last field, or a '|' at both ends, adds no field.
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
-// The fields of a line above a table. A name with its unit in brackets or behind a comma is one
+// The fields of a line above a table. A name with its unit in brackets or after a comma is one
 // field even if blanks separate fields: "S_C [V]", "t, ms".
 std::vector<std::string> header_fields(std::string_view line, char delimiter);
 

@@ -61,7 +61,7 @@ constexpr std::array<std::string_view, 3> time_beginnings{"time", "zeit", "вр�
 // Spellings of one unit, with blanks between them.
 struct Unit {
     std::string_view quantity;   // "time", "rate" or what samples may measure
-    std::string_view spellings;  // of times and rates: small letters, which stand for capitals, too
+    std::string_view spellings;  // of times and rates: small letters, which mean capitals, too
     double factor = 1;           // to the other units of the quantity
     bool prefixed = true;
 };

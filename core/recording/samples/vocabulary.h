@@ -12,8 +12,8 @@
 // spelling in which names are compared.
 namespace vybeg {
 
-// What the name of a column, a variable or an attribute, or the first field of a line above a
-// table, stands for.
+// The meaning of the name of a column, a variable or an attribute, or of the first field of a line
+// above a table.
 enum class Meaning : std::uint8_t {
     other,
     time,       // "t", "Time", "Время"

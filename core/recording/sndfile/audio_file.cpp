@@ -121,8 +121,8 @@ private:
         return first_ + static_cast<std::int64_t>(block_.size()) / info_.channels;
     }
 
-    // All channels, and keeps them: what is decoded for C serves D. Errors: format_damaged, if one
-    // of the frames cannot be decoded; libsndfile is of no use afterwards.
+    // All channels, and keeps them: the block decoded for C serves D. Errors: format_damaged, if
+    // one of the frames cannot be decoded; libsndfile is of no use afterwards.
     Status decode(std::int64_t first, std::int64_t frames) {
         const std::int64_t channels = info_.channels;
         frames = std::min(frames, std::max<std::int64_t>(block_samples / channels, 1));

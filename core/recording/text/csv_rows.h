@@ -33,7 +33,7 @@ struct CsvRows {
 // The fields of one row with commas between them; quotes as in read_csv().
 std::vector<std::string> csv_fields(const std::string& row);
 
-// The name that a column's name stands for: in other letters, in another language.
+// The usual name of a column that is written in other letters or in another language.
 using UsualName = std::function<std::string(const std::string&)>;
 inline const UsualName same_name = [](const std::string& name) { return name; };
 

@@ -12,10 +12,10 @@
 
 namespace vybeg {
 
-// How a text file writes its table of numbers: what find_table() needs to know, whether it was
-// guessed or said in a dialog.
+// How a text file writes its table of numbers: what find_table() needs, guessed or
+// chosen in a dialog.
 struct TextFormat {
-    char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which stands for any blanks
+    char delimiter = ',';  // ',' ';' '\t' '|' or ' ', which means any blanks
     bool decimal_comma = false;
     std::int64_t lines_to_skip = 0;    // lines above the first row of numbers
     std::vector<std::string> above{};  // what the lines above it begin with
@@ -25,13 +25,13 @@ struct TextFormat {
     double time_unit_s = 1;      // seconds per unit of the time column
     double own_time_unit_s = 1;  // of other time columns, where they name none
     int header_lines_used = 0;   // of the skipped lines, those that the names and units came from
-    std::vector<Channel> headings;     // of each column, empty where the file does not tell
+    std::vector<Channel> headings;     // of each column, empty where the file has none
     std::vector<int> no_channels{};    // columns beside these that hold no samples, from 0
     std::vector<std::string> words{};  // names, or else numbers from 1, of columns that hold words
     std::vector<int> own_times{};      // the time column of each column, where they are not all one
     std::optional<std::int64_t> clock_from_s{};  // times of day count from this second of the day
     std::vector<SampleRate> rates{};  // of each column; empty where the lines above name none
-    bool has_remarks = false;         // what stands behind the last column is a comment
+    bool has_remarks = false;         // text after the last column is a comment
     std::string unknown_time_unit{};  // of the time column, which is read as seconds
 
     const Channel& heading(int column) const { return headings[static_cast<std::size_t>(column)]; }
@@ -43,16 +43,16 @@ struct TextFormat {
 bool is_channel(const TextFormat& format, int column);
 std::vector<int> channel_columns(const TextFormat& format);
 
-// What the first column of a table is by its numbers; the rows that it counts, and the time that
-// rises evenly, need no name.
+// The kind of the first column of a table by its numbers; the rows that it counts, and the time
+// that rises evenly, need no name.
 enum class FirstColumn : std::uint8_t { other, counter, time };
 FirstColumn first_column(std::span<const std::string> rows, char delimiter, bool decimal_comma);
 
-// Whether a line at the end of a file stands behind its table: a comment, or one that begins with a
+// Whether a line at the end of a file is below its table: a comment, or one that begins with a
 // word where the rows begin with a number ("Total;12,5;3,1", "End of data").
 bool is_behind_table(std::string_view line, const TextFormat& format);
 
-// More are no channels: the samples stand in rows.
+// More are no channels: the file has the samples of a channel in a row.
 inline constexpr int most_columns = 4096;
 
 // Finds what the columns of a table are: its time, the columns that belong to no channel, and the

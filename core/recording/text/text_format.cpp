@@ -24,7 +24,7 @@ struct Dialect {
 };
 
 // The columns of a table, from 0, that hold words. A row may end before those at the end, and words
-// may stand behind its last column.
+// may follow its last column.
 using WordColumns = std::vector<int>;
 
 // In the order of preference: where two explain equally many lines, the first is taken.
@@ -126,7 +126,7 @@ struct Rows {
             return false;
         }
         bool any = false;
-        // Blanks may stand within words.
+        // Words may contain blanks.
         if (fields.size() > wanted && dialect.delimiter == ' ' && !holds_words(wanted - 1)) {
             return false;
         }
@@ -280,7 +280,7 @@ std::size_t add_words(std::span<const std::string> lines, std::size_t row, Rows&
         table.words = find_words(lines.subspan(row), table.dialect, table.columns);
     }
     std::vector<std::string_view> fields;
-    // A word may stand in the first row alone, behind its numbers. Before them it is the key of a
+    // Only the first row may have a word, after its numbers. Before them it is the key of a
     // line above the table.
     if (row > 0 && table.words.empty() && table.columns <= most_columns) {
         split_fields(lines[row], table.dialect.delimiter, fields);
@@ -424,7 +424,7 @@ bool has_thousands(std::string_view field) {
            are_digits(field.substr(point + 1));
 }
 
-// A line in which separators of thousands stand; nothing where few lines have them.
+// A line with separators of thousands; nothing where few lines have them.
 std::optional<std::string> line_with_thousands(std::span<const std::string> lines) {
     std::vector<std::string_view> fields;
     std::vector<const std::string*> found;

@@ -18,8 +18,8 @@ namespace vybeg {
 
 // Guesses the format from the first lines of a file: the separator and decimal sign under which
 // most of them are rows of numbers of the same length, at least two. Nothing where there is no such
-// row. Time, and what is no channel, as find_columns() has it. What `choice` says is taken as said;
-// its time column counts where the table has it.
+// row. Time and other columns without samples are those of find_columns(). `choice` takes
+// precedence over guesses; its time column counts where the table has it.
 std::optional<TextFormat> guess_text_format(std::span<const std::string> lines,
                                             const TextChoice& choice = {});
 
@@ -29,8 +29,8 @@ std::vector<Channel> channels_of(const TextFormat& format);
 // E.g. "text, 3 columns, semicolon, decimal comma".
 RecordingFormat format_of(const TextFormat& format);
 
-// The first lines of a text file, what its format is found from: 256 KiB behind the lines that are
-// skipped, and of those the last ones.
+// The first lines of a text file, from which its format is found: 256 KiB after the lines that are
+// skipped, and the last ones of those.
 struct TextHead {
     std::int64_t dropped = 0;  // lines of the file above these
     std::vector<std::string> lines;

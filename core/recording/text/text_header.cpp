@@ -13,12 +13,12 @@
 namespace vybeg {
 namespace {
 
-constexpr std::size_t longest_line_with_rate = 4096;  // bytes; what is longer is no header
+constexpr std::size_t longest_line_with_rate = 4096;  // bytes; a longer line is no header
 constexpr double agreement = 1e-6;                    // relative, besides what the digits explain
 
 struct Key {
     Meaning meaning = Meaning::other;  // or rate, or step
-    std::string unit;                  // in brackets or behind a comma
+    std::string unit;                  // in brackets or after a comma
 };
 
 Key key_of(std::string_view text) {
@@ -51,11 +51,11 @@ bool counts_thousands(const std::string& unit) {
     return hertz_per(unit).value_or(0) > 1;
 }
 
-// The number at the start of a text, with what stands before a colon left out ("Analog:2E-06").
+// The number at the start of a text, without the text before a colon ("Analog:2E-06").
 struct NumberText {
     std::string number;
     double value = 0;
-    std::string unit;  // directly behind it
+    std::string unit;  // directly after it
 };
 
 // `group`: the sign that may separate thousands, 0 where there is none; such a number is none.
@@ -118,7 +118,7 @@ double written_relative_sd(std::string_view number, double value, Meaning meanin
     return (fixed ? last : std::min(last, sixth)) / std::sqrt(12.0) / std::abs(value);
 }
 
-// "Sample rate 33333 Hz", "fs=33.333 kHz": a key and, behind a blank or an equals sign, its number
+// "Sample rate 33333 Hz", "fs=33.333 kHz": a key and, after a blank or an equals sign, its number
 // with its unit.
 struct RateLine {
     Key key;
@@ -184,7 +184,7 @@ public:
     }
 
 private:
-    // Keys that are whole fields, with their values in the fields behind them or in the line below.
+    // Keys that are whole fields, with their values in the fields after them or in the line below.
     void in_fields(std::size_t line) {
         const std::vector<std::string> fields = header_fields(lines_[line], delimiter_);
         for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -239,7 +239,7 @@ private:
         }
     }
 
-    // The rate that a text behind its key, or below it, gives.
+    // The rate given by a text after its key, or below it.
     std::optional<SampleRate> rate_of(const Key& key, std::string_view text,
                                       const std::string& unit_behind) const {
         const auto number = number_at_start(text, group(key));
@@ -340,7 +340,7 @@ bool is_unit_line_behind_axis(std::span<const std::string> fields) {
            std::ranges::none_of(fields.subspan(1), [](const auto& f) { return f.empty(); });
 }
 
-// "CH1:V": what stands behind the channel's name. A name keeps it.
+// "CH1:V": the text after the channel's name. A name keeps it.
 std::string_view behind_colon(std::string_view field) {
     const auto colon = field.rfind(':');
     return trimmed(colon == std::string_view::npos ? field : field.substr(colon + 1));
@@ -369,7 +369,7 @@ bool has_equals_sign(const std::string& field) {
     return field.find('=') != std::string::npos;
 }
 
-// The lines above a table, with what they tell of its columns.
+// The lines above a table, and the names and units of columns in them.
 class HeaderLines {
 public:
     HeaderLines(const LinesAbove& above, TextFormat& format) : above_(above), format_(format) {
@@ -392,8 +392,8 @@ public:
     }
 
 private:
-    // The fields of a line that has one for each column; nothing where it has not. What stands
-    // behind the last column is a remark, or no name, or the name of a column without numbers.
+    // The fields of a line that has one for each column; nothing where it has not. A field
+    // after the last column is a remark, or no name, or the name of a column without numbers.
     std::optional<std::vector<std::string>> row_of_names(const std::string& line,
                                                          char delimiter) const {
         std::vector<std::string> fields = name_fields(line, delimiter);

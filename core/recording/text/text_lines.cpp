@@ -31,7 +31,7 @@ std::size_t line_end(std::string_view text, std::size_t from) {
     return from;
 }
 
-// The place behind the line end at `end`.
+// The place after the line end at `end`.
 std::size_t behind_line_end(std::string_view text, std::size_t end) {
     return std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size());
 }
@@ -45,7 +45,7 @@ Error line_too_long(const FileBytes& file, const char* format, std::int64_t line
 // Some thousand rows: little to read for one of them, much for one entry of the index. Even, for
 // UTF-16.
 constexpr std::int64_t block_bytes = std::int64_t{1} << 17;
-constexpr std::int64_t first_overhang = 4096;  // for the last line, which ends behind the block
+constexpr std::int64_t first_overhang = 4096;  // for the last line, which ends after the block
 
 }  // namespace
 
@@ -78,7 +78,7 @@ Status TextBlocks::read(std::int64_t index, TextBlock& block) const {
     block.offset = index > 0 ? from - unit : from;
     block.bytes.clear();
     block.bytes.reserve(static_cast<std::size_t>(block_bytes + first_overhang + unit));
-    // One character more: whether it is a line end tells whether a line begins with the block.
+    // With the character before the block: where it ends a line, a line begins with the block.
     TRY(append(block.offset, to, block.bytes));
     block.end = block.bytes.size();
     block.begin = index > 0 ? behind_line_end(block.text(), line_end(block.text(), 0)) : 0;
@@ -178,8 +178,8 @@ const char* skip_digits(const char* at, const char* end) {
     return at;
 }
 
-// Behind a number like -12.5, which is finite without that it were computed; nothing where there is
-// any other, as one with an exponent.
+// The place after a number like -12.5, which is finite without that it were computed; nothing where
+// there is any other, as one with an exponent.
 const char* skip_number(const char* at, const char* end, char sign) {
     at += at != end && *at == '-' ? 1 : 0;
     const char* const begin = at;
@@ -198,7 +198,7 @@ const char* skip_number(const char* at, const char* end, char sign) {
     return at != end && *at != 'e' && *at != 'E' && at - begin < longest ? at : nullptr;
 }
 
-// Blanks that may stand round a field of a line cut at `delimiter`.
+// Blanks around a field of a line cut at `delimiter`.
 const char* skip_blanks(const char* at, const char* end, char delimiter) {
     while (at != end && (*at == ' ' || *at == '\t') && *at != delimiter) {
         ++at;
@@ -255,7 +255,7 @@ bool TextRows::next() {
     return false;
 }
 
-// Reads a row in which every field is what it usually is, straight from its characters. Returns
+// Reads a row in which every field has its usual form, straight from its characters. Returns
 // where its line end begins; nothing where any_row() has to look, which then decides alone.
 const char* TextRows::plain_row(const char* at, const char* end) {
     const char delimiter = format_.delimiter;
@@ -430,7 +430,7 @@ bool TextRows::fail(int column) {
 namespace {
 
 // The end of the last line that has content in a text from `begin` to `end`; spreadsheets write
-// rows of delimiters behind it. Errors: file_read_failed.
+// rows of delimiters after it. Errors: file_read_failed.
 Result<std::int64_t> end_of_content(const std::shared_ptr<const FileBytes>& file,
                                     TextEncoding encoding, std::int64_t begin, std::int64_t end) {
     const TextBlocks blocks(file, encoding, begin, end);
@@ -449,7 +449,7 @@ Result<std::int64_t> end_of_content(const std::shared_ptr<const FileBytes>& file
     return begin;
 }
 
-// The end of the table in a text that ends at `end`: before the last lines that stand behind it, of
+// The end of the table in a text that ends at `end`: before the last lines below it, of
 // which few are looked at and those with content counted. Errors: file_read_failed.
 Result<std::int64_t> end_of_table(const std::shared_ptr<const FileBytes>& file,
                                   TextEncoding encoding, std::int64_t begin, std::int64_t end,
@@ -462,7 +462,7 @@ Result<std::int64_t> end_of_table(const std::shared_ptr<const FileBytes>& file,
     const std::string_view text = block.text();
     std::size_t to = text.size();
     while (to > 0) {
-        std::size_t last = to;  // behind the line's characters
+        std::size_t last = to;  // after the line's characters
         while (last > 0 && ends_line(text[last - 1])) {
             --last;
         }
@@ -470,7 +470,7 @@ Result<std::int64_t> end_of_table(const std::shared_ptr<const FileBytes>& file,
         while (first > 0 && !ends_line(text[first - 1])) {
             --first;
         }
-        // Of a line that begins before what is looked at, nothing is known.
+        // Nothing is known of a line that begins before the bytes that were read.
         const std::string_view line = text.substr(first, last - first);
         if ((first == 0 && from > begin) || !is_behind_table(line, format)) {
             break;

@@ -18,7 +18,7 @@ namespace vybeg {
 
 // The lines that begin in one block of a text file, as UTF-8 bytes.
 struct TextBlock {
-    std::string bytes;        // also what stands around those lines
+    std::string bytes;        // with bytes before and after those lines
     std::int64_t offset = 0;  // of them in the file
     std::size_t begin = 0;    // of the first line
     std::size_t end = 0;      // lines that begin from here on belong to later blocks
@@ -36,8 +36,8 @@ public:
 
     const FileBytes& file() const { return *file_; }
     std::int64_t count() const;  // blocks
-    // Replaces what `block` holds. A line of more than longest_line bytes is cut behind that many.
-    // Errors: file_read_failed.
+    // Replaces the content of `block`. A line of more than longest_line bytes is cut after that
+    // many. Errors: file_read_failed.
     Status read(std::int64_t index, TextBlock& block) const;
     // Where in the file the byte `at` of what has been read lies.
     std::int64_t place(const TextBlock& block, std::size_t at) const;
@@ -58,7 +58,7 @@ public:
     // `format` names the file in errors.
     explicit TextLines(std::shared_ptr<const FileBytes> file, const char* format = "text");
 
-    // The next line, valid until the next call; nothing behind the last one. Errors:
+    // The next line, valid until the next call; nothing after the last one. Errors:
     // file_read_failed; format_limit where a line is longer than 1 MiB.
     Result<std::optional<std::string_view>> next();
 
@@ -96,7 +96,7 @@ struct TextColumns {
 struct TextFault {
     ErrorCode code{};
     std::int64_t line = 0;           // from 1, counted from the start of the block
-    std::vector<MessageArg> args{};  // behind the number of the line
+    std::vector<MessageArg> args{};  // after the number of the line
 };
 
 // The fault of a time that follows one that is not before it, both in the column's unit.
@@ -105,7 +105,7 @@ TextFault time_fault(std::int64_t line, double time, double before);
 // The error of a fault that has so many lines of the file above its block.
 Error fault_error(const FileBytes& file, std::int64_t lines_above, const TextFault& fault);
 
-// What is done with the samples of a row. To check is faster: whatever is a number has the value 0.
+// Use of the samples of a row. Checking is faster: every number has the value 0.
 enum class SampleUse { read, check };
 
 // The rows of a table one after the other, from the lines of a block. An empty field is a missing
@@ -117,7 +117,7 @@ public:
     TextRows(const TextFormat& format, const TextColumns& columns, const TextBlock& block,
              SampleUse use);
 
-    // Goes to the next row; false behind the last one and at a fault.
+    // Goes to the next row; false after the last one and at a fault.
     bool next();
 
     double time() const { return time_; }  // in the column's unit
@@ -165,18 +165,18 @@ private:
     std::vector<std::string_view> fields_;
 };
 
-// A table of numbers in a text file: where its lines stand, and what is read of them.
+// A table of numbers in a text file: its lines, their format and the columns that are read.
 struct TextTable {
     TextBlocks blocks;
     TextFormat format;
     TextColumns columns;
     std::int64_t header_lines = 0;  // of those above the table, the ones that are not blank
-    std::int64_t footer_lines = 0;  // of those behind it
+    std::int64_t footer_lines = 0;  // of those below it
     bool may_repeat = false;        // the time of the row before, as in logs
 };
 
-// Finds the first line below those that `format` skips, and the last one before those that stand
-// behind the table (is_behind_table()). Errors: file_read_failed, format_limit.
+// Finds the first line below those that `format` skips, and the last one before those
+// below the table (is_behind_table()). Errors: file_read_failed, format_limit.
 Result<TextTable> find_table(std::shared_ptr<const FileBytes> file, const TextFormat& format,
                              const TextColumns& columns);
 

@@ -59,7 +59,7 @@ private:
     double half_digit_ = half_digit_of(0);
 };
 
-// What is found in rows that follow each other, of one block or of several; rows and lines are
+// Findings in rows that follow each other, of one block or of several; rows and lines are
 // counted from the first.
 struct RowScan {
     UniformTimeDetector times;
@@ -67,7 +67,7 @@ struct RowScan {
     std::int64_t rows = 0;
     std::int64_t lines = 0;
     LeftOut left_out{};
-    std::optional<TextFault> fault{};  // behind the last row
+    std::optional<TextFault> fault{};  // after the last row
     double first_time = 0;             // in the column's unit
     double last_time = 0;              // that did not lie below the one before
     std::int64_t first_line = 0;       // of the first time; 0: there is none

@@ -25,9 +25,9 @@ struct LeftOut {
     bool ends_within_row = false;              // the file, which leaves that row out
 };
 
-// What one pass over a table finds, without keeping its numbers.
+// Findings of one pass over a table, without its numbers.
 struct TextScan {
-    std::vector<std::int64_t> first_rows{0};  // of each block, and behind them the number of rows
+    std::vector<std::int64_t> first_rows{0};  // of each block, then the number of rows
     LeftOut left_out;
     double first_time = 0;          // in the time column's unit
     TimeResolution resolution;      // of the time column

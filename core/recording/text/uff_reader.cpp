@@ -49,12 +49,12 @@ struct UffBinary {
     std::int64_t bytes = 0;
 };
 
-// The characters of a line of fixed columns, without blanks; empty behind its end.
+// The characters of a line of fixed columns, without blanks; empty after its end.
 std::string_view field(std::string_view line, std::size_t begin, std::size_t width) {
     return begin < line.size() ? trimmed(line.substr(begin, width)) : std::string_view{};
 }
 
-// Writers put "NONE" where they have nothing to tell.
+// Writers put "NONE" for an empty field.
 std::string told(std::string_view text) {
     text = trimmed(text);
     return text == "NONE" ? std::string{} : to_utf8(text);
@@ -154,7 +154,7 @@ std::optional<UffBinary> parse_uff_binary(std::string_view line) {
                      static_cast<int>(std::min<std::int64_t>(numbers[1], 9)), numbers[3]};
 }
 
-constexpr std::string_view separator = "-1";  // before and behind each dataset
+constexpr std::string_view separator = "-1";  // before and after each dataset
 constexpr std::string_view time_history = "58";
 constexpr std::int64_t lines_per_report = 1 << 14;
 constexpr std::size_t most_channels = 4096;
@@ -163,7 +163,7 @@ bool is_dataset_number(std::string_view text) {
     return are_digits(text) && text.size() <= 6;
 }
 
-// "58b" and the numbers behind it.
+// "58b" and the numbers after it.
 bool is_binary_dataset(std::string_view line) {
     const std::size_t end = std::min(line.find_first_of("bB"), line.size());
     return end < line.size() && is_dataset_number(line.substr(0, end));
@@ -365,7 +365,7 @@ private:
                 samples->binary = SampleColumn{
                     bytes_,
                     type,
-                    {even_run(present, at, width, binary_->byte_order == of_big_endian)}};
+                    {contiguous_range(present, at, width, binary_->byte_order == of_big_endian)}};
             }
         }
         return {};

@@ -14,14 +14,14 @@ constexpr double even_tolerance = 1e-3;     // of a sample period
 constexpr double most_frames_per_row = 20;  // a grid beyond this and the next is no recording
 
 constexpr double gap_steps = 1.5;  // a longer step has lost samples
-// Up to where a step of about that length counts for one, and from where for more; between them
-// only all times together tell.
+// Longest step that counts for one, and shortest that counts for more, of about that length;
+// between them all times together decide.
 constexpr double longest_single_step = 1.4;
 constexpr double shortest_gap = 1.6;
 constexpr double doubt = 0.2;  // the same for steps that rounding makes longer than that
 constexpr std::size_t most_segments = std::size_t{1} << 16;
 
-constexpr double rows_left_out = 16;  // at most, behind a point of a hull
+constexpr double rows_left_out = 16;  // at most, after a point of a hull
 
 constexpr std::size_t most_bounds = 1000;   // on each side, for the interval of the slope
 constexpr double arithmetic_error = 1e-15;  // of a time, relative to the largest
@@ -35,7 +35,7 @@ double longest_rounded_step(double step_s, const TimeResolution& resolution, dou
 // How far a time may lie from a grid of the given step and still be even, s: a thousandth of a step
 // plus what its digits leave open.
 double allowed_deviation(double step_s, const TimeResolution& resolution, double time_s) {
-    // Half of the last digit from rounding, and half of that again for what it does to the line.
+    // Half of the last digit from rounding, and half of that again for its effect on the line.
     return even_tolerance * step_s + 0.75 * resolution.at(time_s);
 }
 

@@ -61,7 +61,7 @@ struct EvenTimes {
 
     std::int64_t frames() const { return segments.back().first_frame + segments.back().rows; }
     std::int64_t frame_of(std::int64_t row) const;
-    std::vector<FrameRange> gaps() const;  // what is missing between them
+    std::vector<FrameRange> gaps() const;  // ranges missing between them
 };
 
 // A straight line through times against their frames, even or not. `late_s` is against the first
@@ -121,14 +121,14 @@ private:
         std::vector<Point> points;
 
         void add(const Point& point);
-        // Leaves a row out that lies just behind the last point and further inside.
+        // Leaves a row out that lies just after the last point and further inside.
         void add_row(const Point& row);
     };
 
     // The hull of the rows for whose times the same deviation is allowed, because they have equally
     // many digits before the decimal point, of 32 bit floats before the binary one, too: no
     // straight line is further from any row than from one of its points, but for what the line
-    // rises over the rows left out behind it.
+    // rises over the rows left out after it.
     struct Hull {
         double time_s = 0;  // well inside of theirs
         std::array<Chain, 2> sides{Chain{1, {}}, Chain{-1, {}}};

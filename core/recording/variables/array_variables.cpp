@@ -13,8 +13,8 @@
 namespace vybeg {
 namespace {
 
-// The samples of a channel, through decoders of its own: two channels that stand one after the
-// other would send one decoder back and forth.
+// The samples of a channel, through decoders of its own: two channels one after the
+// other in the file would send one decoder back and forth.
 Result<SampleColumn> column_of(const StoredArray& stored, std::int64_t channel) {
     auto content = TRY(stored.content());
     return array_column(stored.array, std::move(content), channel);

@@ -19,7 +19,7 @@ namespace vybeg {
 // Of an unsupported one only `variable` counts. Precondition: the content has all of its numbers.
 struct StoredArray {
     FileVariable variable;
-    NumberArray array;  // where its numbers stand in the content
+    NumberArray array;  // the places of its numbers in the content
     // With a decoder of its own, where it is packed.
     std::function<Result<std::shared_ptr<const ByteSource>>()> content;
 };

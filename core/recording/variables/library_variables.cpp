@@ -250,7 +250,7 @@ Error ReaderProcess::failed_reply(const Reply& reply) {
     return file_->damaged(format_, VYBEG_MESSAGE("Words", "its library returned nonsense"));
 }
 
-// Why nothing came, as far as the end of the helper tells.
+// Why nothing came, by the exit status of the helper.
 Error ReaderProcess::broken_off() {
     const int status = end();
     if (last_wait_ == Wait::used_up) {

@@ -78,7 +78,7 @@ Result<std::shared_ptr<const VariableReader>> open_library(
     const std::string& format);
 
 // Whether a file with these first bytes is of HDF5, as MATLAB's are from level 7.3 on. The
-// signature may also stand at 512, 1024, 2048, ...
+// signature may also be at 512, 1024, 2048, ...
 bool is_hdf5(std::string_view head, const FileBytes& file);
 
 // A MAT 7.3 or HDF5 file, read on demand by vybeg-reader. Errors: those of open_variables() and

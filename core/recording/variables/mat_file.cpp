@@ -22,7 +22,7 @@ constexpr std::array<NumberType, 6> types_by_precision{NumberType::f64, NumberTy
                                                        NumberType::i32, NumberType::i16,
                                                        NumberType::u16, NumberType::u8};
 
-// The header that stands before every variable of a MAT file of level 4.
+// The header before every variable of a MAT file of level 4.
 struct Mat4Header {
     std::int64_t rows = 0;
     std::int64_t columns = 0;
@@ -108,13 +108,13 @@ struct Element {
     std::uint32_t type = 0;
     std::int64_t data = 0;  // where its bytes begin
     std::int64_t size = 0;
-    std::int64_t next = 0;  // where the element behind it begins
+    std::int64_t next = 0;  // where the next element begins
 
     std::int64_t end() const { return data + size; }
 };
 
-// The element whose tag, of tag_bytes, stands at `at`. Up to four bytes may stand in the tag
-// itself; what is compressed is not padded.
+// The element whose tag, of tag_bytes, is at `at`. The tag itself may hold up to four bytes;
+// compressed elements are not padded.
 Element element_of(std::string_view tag, std::int64_t at, bool big_endian) {
     const auto type = load<std::uint32_t>(tag.data(), big_endian);
     if (type >> 16 != 0) {
@@ -155,7 +155,7 @@ std::optional<NumberType> class_type(std::uint32_t array_class) {
 constexpr int most_struct_depth = 8;
 constexpr int most_variables = 10000;  // and fields, of any kind
 constexpr std::int64_t longest_name = 4096;
-constexpr std::int64_t zlib_head_bytes = 2;  // before what is deflated, and four behind it
+constexpr std::int64_t zlib_head_bytes = 2;  // before the deflated bytes, and four after them
 constexpr std::int64_t zlib_bytes = zlib_head_bytes + 4;
 
 using Arrays = std::vector<StoredArray>;
@@ -223,14 +223,14 @@ Result<Arrays> level4_arrays(const std::shared_ptr<const FileBytes>& file) {
     return arrays;
 }
 
-// What elements stand in: the file, or one unpacked variable.
+// The bytes that hold elements: the file, or one unpacked variable.
 struct Content {
     std::shared_ptr<const ByteSource> bytes;
     std::function<Result<std::shared_ptr<const ByteSource>>()> again;  // with a decoder of its own
 };
 
 // The arrays of a file of level 5. A size that leads out of what encloses it is damage: no sample
-// is read from what stands behind its array. After the first failure, all else is empty.
+// is read from the bytes after its array. After the first failure, all else is empty.
 class Level5 {
 public:
     Level5(std::shared_ptr<const FileBytes> file, bool big_endian)
@@ -431,7 +431,7 @@ private:
     }
 
     // `fields`: the length of their names, the names, then the fields of each struct of a row,
-    // whose numbers from 1 stand in the names of several.
+    // numbered from 1 in the names where there are several.
     void add_fields(const Content& content, const Element& fields, const std::string& path,
                     int depth, std::int64_t structs) {
         const ByteSource& bytes = *content.bytes;

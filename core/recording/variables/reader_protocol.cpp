@@ -65,7 +65,7 @@ private:
         flag = byte != 0;
     }
 
-    // NaN stands for "no number": the fields that use it are never NaN otherwise.
+    // NaN means "no number": the fields that use it are never NaN otherwise.
     void take(std::optional<double>& number) {
         double value = number.value_or(std::numeric_limits<double>::quiet_NaN());
         take(value);

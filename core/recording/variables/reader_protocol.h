@@ -76,8 +76,8 @@ inline constexpr int reader_socket = 0;
 inline constexpr int reader_file = 3;
 
 // The largest piece (unpacked) of a packed dataset, which can be read only whole, and how many
-// times its size reading takes: the piece of one channel, and that of the other with what it is
-// unpacked from and through.
+// times its size reading takes: the piece of one channel, and that of the other with its packed
+// bytes and the buffers of unpacking.
 inline constexpr std::size_t most_packed_bytes = std::size_t{128} << 20;
 inline constexpr std::size_t packed_pieces_held = 6;
 

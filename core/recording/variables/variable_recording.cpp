@@ -213,7 +213,7 @@ private:
                    : file_.error(ErrorCode::variables_ambiguous, {array.name + ", " + other->name});
     }
 
-    // C before D where the names tell them apart, whatever their order in the file.
+    // C before D where the names distinguish them, whatever their order in the file.
     void put_named_first() {
         std::array<std::optional<ChannelPlace>, 2> named;
         for (const ChannelPlace& place : choice_.channels) {
@@ -284,7 +284,7 @@ private:
         return check_rate_of(d, own);
     }
 
-    // Whether what stands beside D in a struct or group of its own contradicts what C has.
+    // Whether the rate beside D in a struct or group of its own contradicts that of C.
     Status check_rate_of(const FileVariable& d, const std::string& own_of_c) {
         const std::string own = owner_of(d);
         for (std::int64_t i = 0; i < count() && own != own_of_c; ++i) {
@@ -408,8 +408,8 @@ public:
     Result<TimeSteps> scan_times(const JobControl& job) const {
         const std::int64_t frames = choice_.frames;
         const double unit_s = choice_.time_unit_s;
-        // Before the last time is looked at, which may lie behind much that has to be unpacked:
-        // most of what is none does not even begin like one.
+        // Before the last time is looked at, for which much may have to be unpacked: most variables
+        // that are no times do not even begin like times.
         std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
         TRY(read_times(*choice_.time, 0, block));
         if (!std::ranges::is_sorted(block)) {
@@ -556,7 +556,7 @@ Result<Recording> open_variables(const FileBytes& file, const VariableReader& re
     const auto channels = static_cast<int>(choice.channels.size());
     TRY(check_channels(file, channels, options));
     TRY(check_frames(file, choice.frames));
-    // The columns behind times keep their numbers, by which others may have been chosen.
+    // The columns after times keep their numbers, by which others may have been chosen.
     OpenOptions used = options;
     if (options.channel_c == 1 && options.channel_d == 2 && !choice.time && channels > 2 &&
         choice.channels[2].variable == choice.channels[0].variable) {

@@ -47,7 +47,7 @@ inline constexpr std::int64_t frames_per_request = std::int64_t{1} << 16;
 // must each be one), or one array, whose channels all count. Without names: the longest array of
 // two channels or more, or all vectors of the greatest length that two or more share, whichever is
 // longer, with those named as C and D first; vectors named as times or, as pandas has them, index
-// do not count. An array whose first column holds even times has C and D behind it.
+// do not count. An array whose first column holds even times has C and D after it.
 //
 // The rate: of the named variable; else of the attributes of C's; else of a single number with the
 // name of a rate or a sample period, from C's own struct or group first; without one, from the

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// Something that happens at an instant of one run: what is unknown after it gets parameters in the
+// An event at an instant of one run: the quantity that is unknown after it gets parameters in the
 // fit.
 struct FittedBreak {
     std::size_t run = 0;

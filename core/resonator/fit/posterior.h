@@ -27,7 +27,7 @@ struct Posterior {
     Eigen::MatrixXd known;    // S L S of the channels
     Eigen::MatrixXd nothing;  // S L S of the physical priors
 
-    // Where a parameter stands among the active ones; -1: it is held.
+    // The place of a parameter among the active ones; -1: it is held.
     Eigen::Index place_of(Eigen::Index parameter) const;
 
     // chi^2 of the data.

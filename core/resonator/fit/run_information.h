@@ -39,7 +39,7 @@ struct Spread {
     RunDeviation sd = RunDeviation::Zero();
     // By the likelihood, deviates from no scatter.
     RunDeviation clear = RunDeviation::Zero();
-    bool explains = false;  // small deviations, and what is left agrees
+    bool explains = false;  // small deviations, and the residual agrees
 };
 
 // Largest spread that counts as one resonator at unlike temperatures; relative.

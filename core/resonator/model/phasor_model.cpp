@@ -21,8 +21,8 @@ constexpr int own_column(int own) {
     return int{shared_count} + own;
 }
 
-// A motion z as real numbers, Re z_1, Im z_1, Re z_2, Im z_2: what is linear in them is one real
-// matrix, and the derivatives by several parameters are its product with their rows.
+// A motion z as real numbers, Re z_1, Im z_1, Re z_2, Im z_2: a linear map of them is one
+// real matrix, and the derivatives by several parameters are its product with their rows.
 using Real = Eigen::Vector4d;
 using RealMap = Eigen::Matrix4d;
 template <int count>
@@ -318,9 +318,9 @@ private:
     Complex turn_beside_;  // of it to the next window
 };
 
-// What the mean over a window makes of the motion at its centre while the run's frequency drifts,
-// over what it makes of it at the run's own frequency, which belongs to the start. With F(s) =
-// sinh(s w/2)/(s w/2), M with the run's frequency, and the frequency off by d rad/s:
+// The factor by which the mean over a window changes the motion at its centre while the run's
+// frequency drifts, relative to that at the run's own frequency, which belongs to the start. With
+// F(s) = sinh(s w/2)/(s w/2), M with the run's frequency, and the frequency off by d rad/s:
 //     F(M + i d)/F(M) = 1 + i d F'(M)/F(M) - d^2 w^2/24 + ...
 // Of two modes it makes one decay faster and the other slower.
 class DriftedMean {

@@ -8,7 +8,7 @@
 
 namespace vybeg {
 
-// What is unknown after an instant relative to that before.
+// The quantity that is unknown after an instant relative to that before.
 enum class BreakKind {
     phase,  // of both channels: samples are lost or doubled
     gain,   // of each channel: an amplifier changes its range

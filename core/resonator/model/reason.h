@@ -32,7 +32,7 @@ struct Estimate {
     double value = std::numeric_limits<double>::quiet_NaN();
     double sd = std::numeric_limits<double>::quiet_NaN();  // statistical
     Reason reason;
-    // Combined standard uncertainty: sd and the contribution of the tolerances, told or assumed.
+    // Combined standard uncertainty: sd and the contribution of the tolerances, stated or assumed.
     // NaN without tolerances.
     double u = std::numeric_limits<double>::quiet_NaN();
 

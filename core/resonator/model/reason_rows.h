@@ -84,7 +84,7 @@ ROW(not_converged, ReasonSentence::tr("The fit stopped before it converged."))
 // E, R, S, Q have no frequency
 ROW(phase_lost,
     ReasonSentence::tr("The log keeps no phase of the oscillation, and with it no frequency."))
-// whole-angle logs differ in it, or in what it is found from
+// whole-angle logs differ in it, or in its inputs
 ROW(logs_differ, ReasonSentence::tr("The logs differ in it, or in what it is found from."))
 // of a whole-angle log: no column of it
 ROW(effort_missing, ReasonSentence::tr("No log holds the effort of the controller for it."))

@@ -6,8 +6,8 @@
 #include "core/resonator/noise/residual_noise.h"
 #include "core/resonator/results/channel_findings.h"
 #include "core/resonator/results/fitted_set.h"
-#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/reported_estimates.h"
 #include "core/resonator/runs/decay.h"
 
 #include <algorithm>

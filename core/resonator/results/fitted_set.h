@@ -56,8 +56,8 @@ struct ReportedVariances {
     Eigen::VectorXd data;
     Eigen::VectorXd known;
     Eigen::VectorXd nothing;
-    // Change of each quantity by an error of the size of each tolerance, told or assumed: root mean
-    // square of both signs. Columns as moved_by().
+    // Change of each quantity by an error of the size of each tolerance, stated or assumed: root
+    // mean square of both signs. Columns as moved_by().
     Eigen::MatrixXd shares;
     Eigen::VectorXd spread;  // deviation of each quantity by the spread between the runs
 
@@ -84,7 +84,7 @@ struct SolvedSet {
     Estimate cubic_limit{};          // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
-    ChannelTolerance tolerance;                  // told or assumed: the sizes of the errors in u
+    ChannelTolerance tolerance;                  // stated or assumed: the sizes of the errors in u
 
     double mean_f_ref_hz() const;
 };
@@ -107,7 +107,7 @@ struct FittedSet : SolvedSet {
 ReportedVariances reported_variances(const FittedSet& set, const std::vector<ProfilePoint>& beside);
 
 // Errors of the active parameters by channel errors of the size of their tolerances, of which the
-// fit knows no more than its priors: columns as channel_errors, and behind them drifts of C, phase
+// fit knows no more than its priors: columns as channel_errors, then drifts of C, phase
 // and gain, as large as those of D. With J e the error in the phasors,
 // S the covariance and F the information, S F_e e where the fit holds the error at zero, and
 // -S_e e/s^2 where it has the prior s.

@@ -3,7 +3,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/results/describe_fit.h"
-#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/reported_estimates.h"
 #include "core/resonator/results/resonator_parameters.h"
 #include "core/resonator/results/set_examination.h"
 
@@ -81,7 +81,7 @@ void turn_to(const Eigen::VectorXd& p, FitProblem& problem) {
     }
 }
 
-// Noise of the rows about the motion, by third differences of what it leaves: as large in the
+// Noise of the rows about the motion, by third differences of the residual: as large in the
 // phasors at any amplitude, or in the powers, whichever is likelier.
 void take_noise(const FitProblem& problem, const Eigen::VectorXd& p, std::vector<PhasorRun>& runs,
                 double scale) {

@@ -85,7 +85,7 @@ inline constexpr std::array<WaveParameter, 4> wave_parameters{{
 }};
 
 // An error of a usual size, for the table of sensitivities; where no tolerance of the channels is
-// told, that size is assumed (kappa: 0.01). Effects of the amplitude refer to the largest one.
+// stated, that size is assumed (kappa: 0.01). Effects of the amplitude refer to the largest one.
 struct UsualError {
     ErrorSource source;
     const char* name;

@@ -74,7 +74,7 @@ struct RawParameters {
 // Rotation and damping anisotropy, the terms of the drift of the angle, with their covariance: r,
 // g cos 4theta_tau, g sin 4theta_tau.
 struct DriftTerms {
-    // A channel error of the size of its tolerance, told or assumed.
+    // A channel error of the size of its tolerance, stated or assumed.
     struct Tolerated {
         Eigen::Vector3d moved;  // of the terms that the fit finds
         FittedMotion motion;    // that has the error, where the fit finds ResonatorFit::motion;

@@ -3,7 +3,7 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/resonator/fit/fit_start.h"
 #include "core/resonator/noise/residual_noise.h"
-#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/reported_estimates.h"
 
 #include <algorithm>
 #include <array>
@@ -65,8 +65,8 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t out) {
     return kept;
 }
 
-// The variance of a run's noise in units of that of its windows, by its own fit: what it misses
-// itself is a matter of its model and noise, not of the set.
+// The variance of a run's noise in units of that of its windows, by its own fit: the misfit
+// of that belongs to its model and noise, not to the set.
 double own_noise(const PartFit& alone, const Posterior& at, const JobControl& job) {
     const double ratio = alone.fit.chi2 / degrees_of_freedom(alone.problem);
     return std::max(std::isfinite(ratio) ? ratio : 1.0, widening(alone.problem, at, job));
@@ -226,8 +226,8 @@ private:
         return order;
     }
 
-    // The set without a run, from the set's parameters and from those of the two runs that tell the
-    // most alone: where the others agree, one of these is near.
+    // The set without a run, from the set's parameters and from those of the two runs with the
+    // most information: where the others agree, one of these is near.
     PartFit without(std::size_t out) const {
         const std::vector<std::size_t> which = all_but(count_, out);
         VectorXd own = part_of(problem_.layout, joint_.p, which);

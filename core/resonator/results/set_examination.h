@@ -44,8 +44,8 @@ SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
 SetExamination agreeing_set(const FitProblem& problem, const MapFit& joint,
                             std::optional<double> spread, const JobControl& job);
 
-// Puts what is said of a set before the other warnings; `assumed`: its spread is, where the runs
-// agree.
+// Puts the findings about a set before the other warnings; `assumed`: its spread is assumed, where
+// the runs agree.
 void add_findings(const SetExamination& examination, bool assumed, ResonatorFit& fit);
 
 // The same of a set that stays whole: without agreement it has no numbers.

@@ -3,8 +3,8 @@
 #include "core/resonator/fit/pencil_start.h"
 #include "core/resonator/fit/score_test.h"
 #include "core/resonator/noise/noise_claim.h"
-#include "core/resonator/results/given_or_refused.h"
 #include "core/resonator/results/misfit_cause.h"
+#include "core/resonator/results/reported_estimates.h"
 #include "core/resonator/results/structured_verdict.h"
 #include "core/resonator/runs/merge_windows.h"
 

@@ -55,7 +55,7 @@ LogAmplitude log_amplitude(const PhasorRun& run) {
 }
 
 // log a at t for (log a, rate) at t = 0 and q = 1 - p: log a = v0 + log(1 - q r t)/q, with its
-// derivatives by v0, r and q. NaN behind the instant of rest.
+// derivatives by v0, r and q. NaN after the instant of rest.
 struct LawAt {
     double value = 0;
     Vector3d by;

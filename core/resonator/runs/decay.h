@@ -23,7 +23,7 @@ Estimate decay_time(const Estimate& rate);
 // free decay and one of these act together, |p - 1| is about the share of the other one.
 struct DecayLaw {
     double power = 1;     // p
-    double power_sd = 0;  // from the scatter, with its correlation; infinite: not told
+    double power_sd = 0;  // from the scatter, with its correlation; infinite: unknown
     double per_s = 0;     // decay rate at `amplitude`, and its deviation
     double per_s_sd = 0;
     double amplitude = 0;  // at the mean instant, recording units

@@ -179,8 +179,8 @@ struct Solution {
         return left;
     }
 
-    // Windows over which what is left keeps its sign: a motion that is not that of the sum misses
-    // it slowly, and holds less information than its windows by as much.
+    // Windows over which the residual keeps its sign: a motion other than the sum leaves a slow
+    // one, and holds less information than its windows by as much.
     double correlation_windows() const {
         const VectorXcd left = residual();
         const Index rows = left.size() / 2;
@@ -301,7 +301,7 @@ bool one_persists(const ModeSum& sum) {
 }
 
 // Whether one mode alone is the motion in a third of the time in which it is visible: before or
-// behind a drive, a knock or a hand. A beat shows in every third.
+// after a drive, a knock or a hand. A beat shows in every third.
 bool one_mode_in_a_third(const PhasorRun& run) {
     constexpr double little = 1e-3;  // of the power
     const PhasorRun seen = seen_windows(run);
@@ -389,7 +389,7 @@ bool shares_projection(const PhasorRun& run) {
         return false;
     }
     // The two modes of a bell are part of its motion only: a strike and other partials are in it.
-    // A drive that ends looks like half a beat, too; then more has to tell them apart.
+    // A drive that ends looks like half a beat, too; then more is required to distinguish them.
     const bool explained = std::hypot(two->shape_sd[0], two->shape_sd[1]) < exact;
     return explained || (beat > 2 * pi && angle.across < most_across && !one_mode_in_a_third(run));
 }

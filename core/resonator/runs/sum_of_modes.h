@@ -30,11 +30,11 @@ struct ModeSum {
 std::optional<ModeSum> sum_of_modes(const PhasorRun& run, std::size_t count);
 
 // Whether both channels of the recording show the same projection of its motion: two modes that
-// beat, with shapes parallel within a tenth. A wave that stands still is one mode and leaves this
+// beat, with shapes parallel within a tenth. A wave at rest is one mode and leaves this
 // open; a pair of pick-offs at 45 degrees has shapes at right angles, or modes that decay before
 // they beat. Where the two modes are a part of the motion only, as in a bell's first second, the
 // channels must agree within 3 % throughout, a whole beat must be seen, and no third of it may be
-// one mode, as it is before and behind a drive.
+// one mode, as it is before and after a drive.
 bool shares_projection(const PhasorRun& run);
 
 }  // namespace vybeg

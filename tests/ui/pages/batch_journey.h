@@ -34,7 +34,7 @@ protected:
     QTableView& table() { return childOf<QTableView>(batch(), "batchTable"); }
     QAbstractItemModel& model() { return *table().model(); }
     QPushButton& button(const char* name) { return childOf<QPushButton>(batch(), name); }
-    QString told() { return childOf<QLabel>(batch(), "batchTold").text(); }
+    QString progressText() { return childOf<QLabel>(batch(), "batchProgress").text(); }
     QString message() { return childOf<QLabel>(batch(), "batchMessage").text(); }
 
     int column(const QString& title) {

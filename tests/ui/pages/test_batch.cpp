@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(content(home_.path("first.csv")), expected_);
         QVERIFY(!QFile::exists(home_.path("first.csv.unfinished")));
         QCOMPARE(message(), "Written: " + home_.path("first.csv"));
-        QCOMPARE(told(), QString("4 of 4 sets; 1 without a result"));
+        QCOMPARE(progressText(), QString("4 of 4 sets; 1 without a result"));
         QCOMPARE(text(0, state), QString("done"));
         VYBEG_WITHIN(readNumber(text(0, split).section(' ', 0, 0)).value_or(0), 20, 1);
         // No recording came into the window.
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(model().index(row, column("Состояние")).data().toString(),
                  QString("нет результата"));
         VYBEG_MORE(column("Разночастотность\nмГц"), 0);
-        QCOMPARE(told(), QString("4 из 4 наборов; без результата: 1"));
+        QCOMPARE(progressText(), QString("4 из 4 наборов; без результата: 1"));
     }
 
     // Names of files are no HTML, which could load another file.
@@ -151,7 +151,7 @@ private slots:
         run();
         QCOMPARE(content(home_.path("stopped.csv")), expected_);
         QVERIFY(!QFile::exists(home_.path("stopped.csv.unfinished")));
-        QCOMPARE(told(), QString("4 of 4 sets; 1 without a result"));
+        QCOMPARE(progressText(), QString("4 of 4 sets; 1 without a result"));
     }
 
     void the_command_line_goes_on_where_the_window_stopped() {
@@ -178,7 +178,8 @@ private slots:
         QTRY_VERIFY(!batch().findChild<QMessageBox*>());
         press("batchStart");
         clickAnswer("Replace");
-        QTRY_VERIFY_WITH_TIMEOUT(!batch().running() && told().startsWith("4 of 4"), most_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(!batch().running() && progressText().startsWith("4 of 4"),
+                                 most_ms);
         QCOMPARE(content(results), expected_);
     }
 };

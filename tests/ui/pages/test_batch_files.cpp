@@ -29,7 +29,7 @@ private slots:
         // In words of the window.
         open(home_.path("list.csv"), home_.path("list.csv"));
         press("batchStart");
-        QVERIFY2(message().contains("no table of results"), qPrintable(message()));
+        QVERIFY2(message().contains("not a table of results"), qPrintable(message()));
         QVERIFY(!batch().running());
         open(home_.path("none.csv"), home_.path("fine.csv"));
         run();

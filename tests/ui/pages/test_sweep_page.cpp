@@ -85,7 +85,7 @@ private slots:
     }
 
     // Open, go to the page by its key, run, look at the points, use the window, take it back.
-    void a_journey_to_the_window_that_the_recording_deserves() {
+    void a_journey_to_the_recommended_window() {
         QVERIFY(!window_->action(Command::page_windows)->isEnabled());
         open(home_.recording("demo.wav"));
         goToSweep();

@@ -1,4 +1,4 @@
-#include "core/analysis/idle_options.h"
+#include "core/analysis/ignored_options.h"
 
 #include "core/recording/open/open_recording.h"
 
@@ -33,7 +33,7 @@ public:
     void add_idle_search(const SignalSettings& settings) {
         add(settings.band && settings.f0_hz, "--band", "--f0 skips the search for the carrier");
     }
-    // What is of samples.
+    // Options of samples.
     void add_idle_on_log(const SignalSettings& signal, const LogChoice& log) {
         const Calibration& calibration = signal.calibration;
         add(calibration.offset_auto || calibration.offset_c != 0 || calibration.offset_d != 0,

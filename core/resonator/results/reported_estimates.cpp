@@ -1,4 +1,4 @@
-#include "core/resonator/results/given_or_refused.h"
+#include "core/resonator/results/reported_estimates.h"
 
 #include "core/base/number_text.h"
 #include "core/numerics/phase.h"
