@@ -375,7 +375,7 @@ QWidget* SweepPage::buildContent() {
     auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
     auto* plots = fill(new QVBoxLayout, {}, 4, {{scatter_, 3}, {residual_, 2}});
     auto* numbers = fill(new QVBoxLayout, {}, 4, {advice, table_, point_, LayoutPart(1)});
-    auto* both = fill(new QHBoxLayout, {}, 8, {{plots, 2}, {numbers, 3}});
+    auto* both = fill(new QHBoxLayout, {}, 8, {{plots, 5}, {numbers, 6}});
     fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {choice, {both, 1}});
     return content;
 }
