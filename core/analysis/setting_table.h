@@ -26,8 +26,8 @@ Result<LockIn> read_lock_in(const std::string& option, const std::string& text,
 // dashes and its place in the option's value: what validate() takes.
 const Bounds& bounds_of(const std::string& name, std::size_t number = 0);
 
-// Checks what can be checked without a recording, and that no value is so large or small that what
-// is computed with it loses its digits. Errors: setting_invalid with the setting's command-line
+// Checks the settings without a recording, and that no value is so large or small that numbers
+// computed with it lose their digits. Errors: setting_invalid with the setting's command-line
 // name.
 Status validate(const SignalSettings& settings);
 Status validate(const Settings& settings);

@@ -261,8 +261,8 @@ private:
         });
     }
 
-    // Higher orders fall as those of a sawtooth, at least as fast as the inverse of the order: what
-    // is stronger lies there by chance.
+    // Higher orders fall as those of a sawtooth, at least as fast as the inverse of the order: a
+    // stronger line lies there by chance.
     bool is_at_window_rate(const ResidualLine& line, double order) const {
         constexpr double above_sawtooth = 3;
         const auto is_at = [&](const ResidualLine& other, double other_order) {

@@ -21,7 +21,7 @@ class MessageBar : public QWidget {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
-    // At its lower end, over what is there, so that no plot moves under the mouse.
+    // At its lower end, over the plots, so that none moves under the mouse.
     void floatOver(QWidget& place);
     void add(const Message& message);
     void clear();

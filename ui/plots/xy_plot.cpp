@@ -224,7 +224,7 @@ struct Legend {
     int height() const { return head_height * static_cast<int>(rows.size()); }
 };
 
-// Behind the name of the axis where all of it has room there; otherwise above it.
+// After the name of the axis where all of it has room there; otherwise above it.
 Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, int width) {
     std::vector<StripEntry> entries;
     for (const XYSeries& series : content.series) {

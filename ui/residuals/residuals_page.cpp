@@ -282,7 +282,7 @@ void ResidualsPage::chooseLine(std::optional<std::size_t> line) {
     showLine();
 }
 
-// A chosen line has the place of what is said of the residual, two lines of text, so that no plot
+// A chosen line has the place of the note about the residual, two lines of text, so that no plot
 // moves under the mouse.
 void ResidualsPage::showLine() {
     constexpr int lines_of_text = 2;

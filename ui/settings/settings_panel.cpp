@@ -67,8 +67,8 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     scroll_ = scrolled(content, this);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    // The panel grows instead of cutting its fields, which change with the language and with what
-    // is open.
+    // The panel grows instead of cutting its fields, which change with the language and with
+    // the open sections.
     whenChanged(*content, {QEvent::LayoutRequest}, [this, content] {
         const int needed =
             content->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();

@@ -72,7 +72,7 @@ inline double covariance_of_sums(const std::vector<double>& correlation, std::pt
     return sum;
 }
 
-// Turns (c, d) into channels whose first electrode stands at the angle of which this is the double.
+// Turns (c, d) into channels whose first electrode is at the angle of which this is the double.
 template <class Value>
 void turn_channels(double two_theta_zero, Value& c, Value& d) {
     const Value old = c;
