@@ -452,14 +452,15 @@ Result<std::string> one_told(const MeasurementSet& set, const MessageArg& name,
 
 Status check_conditions(const MeasurementSet& set) {
     TRY(one_told(set, Phrase::tr("the gyro"),
-                 [](const RecordingRef& told) { return told.conditions.gyro; }));
-    TRY(one_told(set, Phrase::tr("the bias voltage"), [](const RecordingRef& told) {
-        const std::optional<double>& bias_v = told.conditions.bias_v;
+                 [](const RecordingRef& recording) { return recording.conditions.gyro; }));
+    TRY(one_told(set, Phrase::tr("the bias voltage"), [](const RecordingRef& recording) {
+        const std::optional<double>& bias_v = recording.conditions.bias_v;
         return bias_v ? round_trip_text(*bias_v) + " V" : std::string();
     }));
-    TRY(one_told(set, Phrase::tr("the exchange of the amplifiers"), [](const RecordingRef& told) {
-        return std::string(told.conditions.exchanged ? "yes" : "no");
-    }));
+    TRY(one_told(set, Phrase::tr("the exchange of the amplifiers"),
+                 [](const RecordingRef& recording) {
+                     return std::string(recording.conditions.exchanged ? "yes" : "no");
+                 }));
     return {};
 }
 

@@ -66,9 +66,9 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
 
 // Value of the list's column gyro_type for a set; empty: not told. Errors: conditions_differ.
 Result<std::string> gyro_type_of(const MeasurementSet& set) {
-    const auto type_of = [](const RecordingRef& told) {
-        const auto type = std::ranges::find(told.others, "gyro_type", &NamedValue::first);
-        return type == told.others.end() ? std::string() : type->second;
+    const auto type_of = [](const RecordingRef& recording) {
+        const auto type = std::ranges::find(recording.others, "gyro_type", &NamedValue::first);
+        return type == recording.others.end() ? std::string() : type->second;
     };
     return one_told(set, Phrase::tr("the type of the gyro"), type_of, true);
 }
