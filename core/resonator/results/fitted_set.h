@@ -85,7 +85,7 @@ struct FittedSet {
     Estimate cubic_limit{};          // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
-    // Told or assumed: the sizes of the errors in u; of the free model the drifts alone.
+    // Stated or assumed: the sizes of the errors in u; of the free model the drifts alone.
     ChannelTolerance tolerance;
     // By describe().
     Posterior posterior{};
