@@ -435,29 +435,32 @@ Result<MeasurementList> list_of_folder(
     return list;
 }
 
-Status check_conditions(const MeasurementSet& set) {
-    struct Condition {
-        MessageArg name;
-        std::string (*text)(const Conditions&);  // empty: unknown
-    };
-    const std::array checked{
-        Condition{Phrase::tr("the gyro"), [](const Conditions& c) { return c.gyro; }},
-        Condition{Phrase::tr("the bias voltage"),
-                  [](const Conditions& c) {
-                      return c.bias_v ? round_trip_text(*c.bias_v) + " V" : std::string();
-                  }},
-        Condition{Phrase::tr("the exchange of the amplifiers"),
-                  [](const Conditions& c) { return std::string(c.exchanged ? "yes" : "no"); }}};
-    for (const Condition& condition : checked) {
-        std::string told;
-        for (const RecordingRef& recording : set.recordings) {
-            const std::string text = condition.text(recording.conditions);
-            if (!told.empty() && !text.empty() && text != told) {
-                return Error{ErrorCode::conditions_differ, set.name, {condition.name, told, text}};
-            }
-            told = told.empty() ? text : told;
+Result<std::string> one_told(const MeasurementSet& set, const MessageArg& name,
+                             const std::function<std::string(const RecordingRef&)>& text_of,
+                             bool any_case) {
+    std::string told;
+    for (const RecordingRef& recording : set.recordings) {
+        const std::string text = text_of(recording);
+        const bool same = any_case ? lower_text(text) == lower_text(told) : text == told;
+        if (!told.empty() && !text.empty() && !same) {
+            return Error{ErrorCode::conditions_differ, set.name, {name, told, text}};
         }
+        told = told.empty() ? text : told;
     }
+    return told;
+}
+
+Status check_conditions(const MeasurementSet& set) {
+    TRY(one_told(set, Phrase::tr("the gyro"),
+                 [](const RecordingRef& recording) { return recording.conditions.gyro; }));
+    TRY(one_told(set, Phrase::tr("the bias voltage"), [](const RecordingRef& recording) {
+        const std::optional<double>& bias_v = recording.conditions.bias_v;
+        return bias_v ? round_trip_text(*bias_v) + " V" : std::string();
+    }));
+    TRY(one_told(set, Phrase::tr("the exchange of the amplifiers"),
+                 [](const RecordingRef& recording) {
+                     return std::string(recording.conditions.exchanged ? "yes" : "no");
+                 }));
     return {};
 }
 

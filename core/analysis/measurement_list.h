@@ -97,6 +97,12 @@ Result<MeasurementList> list_of_folder(
 // Takes recordings out of a set, with their signal settings.
 void leave_out(MeasurementSet& set, const std::function<bool(const RecordingRef&)>& which);
 
+// What the recordings of a set say of a condition that the fit takes for all; empty: nothing.
+// Errors: conditions_differ, with its name.
+Result<std::string> one_told(const MeasurementSet& set, const MessageArg& name,
+                             const std::function<std::string(const RecordingRef&)>& text_of,
+                             bool any_case = false);
+
 // Whether the recordings of a set have the same conditions, as far as the fit assumes it: gyro,
 // bias voltage, exchange of the amplifiers. Errors: conditions_differ.
 Status check_conditions(const MeasurementSet& set);

@@ -25,8 +25,7 @@ struct Passport : ResonatorNumbers {
     std::vector<std::pair<std::string, std::string>> conditions;  // columns of a list, those stated
     std::vector<RecordingRef> inputs;                             // name and content
     std::vector<std::pair<std::string, std::string>> settings;    // name and value, as options
-    ModeOrder mode_order = ModeOrder::frequency;
-    std::vector<RunTrack> tracks;  // one for each input
+    std::vector<RunTrack> tracks;                                 // one for each input
 };
 
 enum class Verdict { unchanged, changed, not_comparable };

@@ -66,21 +66,11 @@ std::string passport_in(const std::string& folder, const MeasurementSet& set) {
 
 // Value of the list's column gyro_type for a set; empty: not stated. Errors: conditions_differ.
 Result<std::string> gyro_type_of(const MeasurementSet& set) {
-    std::string type;
-    for (const RecordingRef& recording : set.recordings) {
-        for (const auto& [column, field] : recording.others) {
-            if (column != "gyro_type" || field.empty() || lower_text(field) == lower_text(type)) {
-                continue;
-            }
-            if (!type.empty()) {
-                return Error{ErrorCode::conditions_differ,
-                             set.name,
-                             {Phrase::tr("the type of the gyro"), type, field}};
-            }
-            type = field;
-        }
-    }
-    return type;
+    const auto type_of = [](const RecordingRef& recording) {
+        const auto type = std::ranges::find(recording.others, "gyro_type", &NamedValue::first);
+        return type == recording.others.end() ? std::string() : type->second;
+    };
+    return one_told(set, Phrase::tr("the type of the gyro"), type_of, true);
 }
 
 constexpr const char* no_file = "-";  // its stamp

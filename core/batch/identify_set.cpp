@@ -20,12 +20,6 @@
 namespace vybeg {
 namespace {
 
-Result<PassportComparison> open_passport(const std::string& path, const JobControl& job) {
-    auto passport = TRY(read_passport_file(path));
-    auto sha256 = TRY(file_sha256(path, job));
-    return PassportComparison{path, std::move(sha256), std::move(passport), {}};
-}
-
 Status hash_all(OpenSet& open, std::stop_token stop) {
     std::list<std::pair<RecordingRef&, BackgroundHash>> beside;
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
@@ -136,6 +130,12 @@ BackgroundHash::BackgroundHash(const Recording& recording, int threads, std::sto
                        [&recording, job = JobControl(given_up_.get_token())] {
                            return recording_sha256(recording, job);
                        });
+}
+
+Result<PassportComparison> open_passport(const std::string& path, const JobControl& job) {
+    auto passport = TRY(read_passport_file(path));
+    auto sha256 = TRY(file_sha256(path, job));
+    return PassportComparison{path, std::move(sha256), std::move(passport), {}};
 }
 
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,

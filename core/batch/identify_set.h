@@ -47,8 +47,11 @@ struct OpenSet {
     std::optional<PassportComparison> comparison;
 };
 
+// A passport, before its comparison. Errors: those of read_passport_file() and file_sha256().
+Result<PassportComparison> open_passport(const std::string& path, const JobControl& job);
+
 // Opens the recordings, or reads the logs of a set of logs, and, unless `passport` is empty, that
-// file. Errors: conditions_differ, those of open_recording(), read_passport_file() and
+// file. Errors: conditions_differ, those of open_recording(), open_passport() and
 // read_contents().
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);

@@ -20,6 +20,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+// Points for each false alarm at a stable resonator, of the three charts together and on average
+// over baselines.
+constexpr double family_points_per_alarm = 370;
 // Shares of the false alarms. The average finds lasting changes, for which the charts are kept.
 constexpr double average_share = 0.7;
 constexpr double individuals_share = 0.2;
@@ -160,18 +163,18 @@ struct Factors {
     double average = none;
 };
 
-Factors factors_of(std::size_t count, const ChartOptions& options) {
-    const double alarms = 1 / (options.points_per_alarm * alarms_apart);
+Factors factors_of(std::size_t count, double lambda) {
+    const double alarms = 1 / (family_points_per_alarm * alarms_apart);
     // A new value less the mean of the baseline, and the difference of two values, both in units of
     // its standard deviation, have Student's distribution.
     return {student_limit(individuals_share * alarms, count - 1) *
                 std::sqrt(1 + 1 / static_cast<double>(count)),
             student_limit(ranges_share * alarms, count - 1),
-            ewma_limit(options.lambda, count, 1 / (average_share * alarms))};
+            ewma_limit(lambda, count, 1 / (average_share * alarms))};
 }
 
 // Sets centre, scatter and fault; the factors of the limits, NaN where the baseline sets none.
-Factors set_baseline(const Baseline& known, const ChartOptions& options, Scatter& scatter,
+Factors set_baseline(const Baseline& known, double lambda, Scatter& scatter,
                      ControlCharts& charts) {
     charts.used = known.values.size();
     if (charts.used < least_baseline) {
@@ -198,7 +201,7 @@ Factors set_baseline(const Baseline& known, const ChartOptions& options, Scatter
                     std::sqrt(scatter.between + shared.variances[k]));
     }
     charts.fault = fault_of(z);
-    return factors_of(charts.used, options);
+    return factors_of(charts.used, lambda);
 }
 
 void add_point(ControlChart& chart, double value, double limit) {
@@ -301,11 +304,10 @@ double student_limit(double beyond, std::size_t freedom) {
 }
 
 ControlCharts control_charts(std::span<const double> values, std::span<const double> u,
-                             std::size_t baseline, const ChartOptions& options) {
+                             std::size_t baseline, double lambda) {
     ControlCharts charts;
     Scatter scatter{none, none};
-    const Factors factors =
-        set_baseline(baseline_of(values, u, baseline), options, scatter, charts);
+    const Factors factors = set_baseline(baseline_of(values, u, baseline), lambda, scatter, charts);
     double average = 0;
     double rest = 1;  // share of the start in the average, squared
     double before = none;
@@ -319,11 +321,11 @@ ControlCharts control_charts(std::span<const double> values, std::span<const dou
                   factors.range * std::hypot(deviation, deviation_before));
         const double z = off / deviation;
         if (std::isfinite(z)) {
-            average = options.lambda * z + (1 - options.lambda) * average;
-            rest *= (1 - options.lambda) * (1 - options.lambda);
+            average = lambda * z + (1 - lambda) * average;
+            rest *= (1 - lambda) * (1 - lambda);
         }
         add_point(charts.average, std::isfinite(z) ? average : none,
-                  factors.average * std::sqrt(options.lambda / (2 - options.lambda) * (1 - rest)));
+                  factors.average * std::sqrt(lambda / (2 - lambda) * (1 - rest)));
         if (std::isfinite(values[k])) {
             before = values[k];
             deviation_before = deviation;

@@ -20,12 +20,8 @@ double student_limit(double beyond, std::size_t freedom);
 // 6.3.2; D. C. Montgomery, Introduction to Statistical Quality Control). The first `baseline`
 // results set the centre and the limits; a value that is NaN is no point and counts in neither.
 
-struct ChartOptions {
-    double lambda = 0.2;  // weight of the last result in the average
-    // Points for each false alarm at a stable resonator, of the three charts together and on
-    // average over baselines.
-    double points_per_alarm = 370;
-};
+// Usual weight of the last result in the average.
+inline constexpr double last_weight = 0.2;
 
 // One chart: a number for each result, its limit, and whether it lies beyond.
 struct ControlChart {
@@ -65,10 +61,10 @@ struct ControlCharts {
 // `u`: each result's own standard uncertainty; NaN or 0: not known. A result weighs less where its
 // u is larger. The scatter of the baseline decides how large a deviation is expected: where it is
 // above u, results differ by more than their u (R. C. Paule, J. Mandel, 1982); where it is below,
-// u holds parts that all results share, such as those of the channels. Preconditions: as many as
-// values; 0 < lambda <= 1.
+// u holds parts that all results share, such as those of the channels. `lambda`: weight of the last
+// result in the average. Preconditions: as many as values; 0 < lambda <= 1.
 ControlCharts control_charts(std::span<const double> values, std::span<const double> u,
-                             std::size_t baseline, const ChartOptions& options = {});
+                             std::size_t baseline, double lambda = last_weight);
 
 // Axes that repeat with `period`, each moved by whole periods to the nearest of the first one, so
 // that a series near the end of the range does not jump. A period of 0 leaves the values.

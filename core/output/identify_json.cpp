@@ -373,7 +373,6 @@ Passport passport_of(const SetResult& result) {
     }
     passport.inputs = result.set.recordings;
     passport.settings = settings_list(identification.settings);
-    passport.mode_order = identification.fit.mode_order;
     refer_to_recorded(identification.settings.signal.calibration.kappa, passport.raw);
     for (const IdentifiedRun& run : identification.runs) {
         passport.tracks.push_back(run.track);

@@ -368,12 +368,7 @@ SetResult read_saved(const Node& whole) {
     result.program = std::move(passport.program);
     result.set.recordings = std::move(passport.inputs);
     ResonatorFit& fit = result.identification.fit;
-    fit.model = passport.model;
-    fit.resonator = passport.resonator;
-    fit.modes = std::move(passport.modes);
-    fit.mode_order = passport.mode_order;
-    fit.runs = std::move(passport.runs);
-    fit.raw = std::move(passport.raw);
+    static_cast<ResonatorNumbers&>(fit) = std::move(passport);
     const Node no_modes = whole.at("no_modes");
     fit.no_modes =
         stored_reason(no_modes.at("kind").text(), no_modes.at("args").texts()).value_or(Reason{});

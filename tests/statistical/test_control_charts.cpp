@@ -110,12 +110,11 @@ private slots:
         constexpr int after = 200;
         std::mt19937_64 random(3);
         const std::vector<double> u(static_cast<std::size_t>(length + after), own_sd);
-        const ChartOptions options;
         double alarms = 0;
         for (int trial = 0; trial < series; ++trial) {
             const std::vector<double> values = series_of(random, length + after);
             const auto begin = static_cast<std::size_t>(length);
-            alarms += alarms_of(control_charts(values, u, begin, options), begin, options.lambda);
+            alarms += alarms_of(control_charts(values, u, begin), begin, last_weight);
         }
         const double points_per_alarm = series * 1.0 * after / alarms;
         qInfo("baseline %d: one false alarm in %.0f results", length, points_per_alarm);

@@ -482,17 +482,15 @@ void SetStore::savePassport(const QString& path, const GyroData& session,
 
 void SetStore::openPassport(const QString& path) {
     constexpr int one_at_a_time = 0;  // a newer one replaces one that is being read
-    job_.run<Passport>(
+    job_.run<PassportComparison>(
         one_at_a_time,
-        [from = std::filesystem::path(path.toStdU16String())](const JobControl&) {
-            return read_passport_file(from);
-        },
-        [this, path](Result<Passport> passport) {
+        [from = path.toStdString()](const JobControl& job) { return open_passport(from, job); },
+        [this](Result<PassportComparison> passport) {
             if (!passport) {
                 emit reported(errorMessage(passport.error()));
                 return;
             }
-            passport_ = OpenPassport{QFileInfo(path).fileName(), std::move(*passport)};
+            passport_ = std::move(*passport);
             emit passportChanged();
         });
 }

@@ -93,7 +93,7 @@ public:
                       std::function<void(const Status&)> done);
     void openPassport(const QString& path);
     void closePassport();
-    const OpenPassport* passport() const { return passport_ ? &*passport_ : nullptr; }
+    const PassportComparison* passport() const { return passport_ ? &*passport_ : nullptr; }
     // Smallest change of the frequency that counts, ppm.
     void setFrequencyLimit(double ppm);
     double frequencyLimit() const { return compare_.f_limit_ppm; }
@@ -137,7 +137,7 @@ private:
     std::vector<RecordingSet> sets_;
     SetId current_ = SetId::none;
     int made_ = 0;
-    std::optional<OpenPassport> passport_;
+    std::optional<PassportComparison> passport_;
     CompareOptions compare_;
 };
 

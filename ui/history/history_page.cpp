@@ -237,7 +237,7 @@ void HistoryPage::compute() {
 }
 
 HistoryView HistoryPage::view() const {
-    const OpenPassport* open = document_.sets().passport();
+    const PassportComparison* open = document_.sets().passport();
     const Dossier& dossier = document_.dossier().dossier();
     const std::string serial = dossier.gyro.serial.toStdString();
     // Those of the session's gyro are not limits of another one.

@@ -12,6 +12,7 @@
 #include "ui/words/rich_text.h"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -263,12 +264,13 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
 }
 
 void ComparisonView::showAgain() {
-    const OpenPassport* passport = document_.sets().passport();
+    const PassportComparison* passport = document_.sets().passport();
     setVisible(passport != nullptr);
     if (!passport) {
         return;
     }
-    const QString name = passport->name.toHtmlEscaped();
+    const QString name =
+        QFileInfo(QString::fromStdString(passport->file)).fileName().toHtmlEscaped();
     const std::vector<Difference> differences = document_.sets().differences();
     const auto other = document_.sets().otherGyro(document_.dossier().dossier().gyro);
     other_gyro_->setText(other ? QStringLiteral("⚠ ") + diagnosticText(*other) : QString());

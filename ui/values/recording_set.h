@@ -74,10 +74,4 @@ inline std::optional<std::size_t> rowOf(const RecordingSet& set, RecordingId id)
     return std::nullopt;
 }
 
-// Passport for the comparison of sets.
-struct OpenPassport {
-    QString name;  // of its file
-    Passport passport;
-};
-
 }  // namespace vybeg::ui

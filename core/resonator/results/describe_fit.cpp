@@ -81,8 +81,8 @@ constexpr double evident_rise = 6;
 
 class Description {
 public:
-    Description(const SolvedSet& solved, const JobControl& job)
-        : set_{solved}, problem_(*solved.problem), job_(job) {}
+    Description(const FittedSet& solved, const JobControl& job)
+        : set_(solved), problem_(*solved.problem), job_(job) {}
 
     ResonatorFit made() {
         const double dof = degrees_of_freedom(problem_);
@@ -269,7 +269,7 @@ private:
 
 }  // namespace
 
-FittedMotion motion_of(const SolvedSet& set) {
+FittedMotion motion_of(const FittedSet& set) {
     FittedMotion motion{.scale = set.scale, .shared = set.fit.p.head(shared_count), .runs = {}};
     for (std::size_t k = 0; k < set.runs.size(); ++k) {
         ScaledRun frame = set.problem->runs[k];
@@ -282,7 +282,7 @@ FittedMotion motion_of(const SolvedSet& set) {
     return motion;
 }
 
-ResonatorFit describe(const SolvedSet& set, const JobControl& job) {
+ResonatorFit describe(const FittedSet& set, const JobControl& job) {
     return Description(set, job).made();
 }
 

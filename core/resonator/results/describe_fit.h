@@ -5,10 +5,10 @@
 
 namespace vybeg {
 
-FittedMotion motion_of(const SolvedSet& set);
+FittedMotion motion_of(const FittedSet& set);
 
 // Results for the resonator and for each run, with deviations and warnings. A fit that has not
 // converged yields no number, only its motion and the warning.
-ResonatorFit describe(const SolvedSet& set, const JobControl& job);
+ResonatorFit describe(const FittedSet& set, const JobControl& job);
 
 }  // namespace vybeg

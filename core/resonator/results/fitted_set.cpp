@@ -186,7 +186,7 @@ Places places_of(const FittedSet& set) {
 
 }  // namespace
 
-double SolvedSet::mean_f_ref_hz() const {
+double FittedSet::mean_f_ref_hz() const {
     const double share = 1 / static_cast<double>(runs.size());
     double mean = 0;
     for (const PhasorRun& run : runs) {

@@ -73,8 +73,9 @@ struct ReportedVariances {
 std::complex<double> square_half_difference(const Eigen::VectorXd& p);
 Eigen::VectorXcd square_gradient(const Posterior& posterior);
 
-// A set of runs with its most likely parameters.
-struct SolvedSet {
+// A set of runs with its most likely parameters and, once describe() has them, all that its numbers
+// follow from.
+struct FittedSet {
     std::span<const PhasorRun> runs;  // as fitted
     std::span<const PhasorRun> fine;  // before their windows were merged
     const FitProblem* problem = nullptr;
@@ -84,20 +85,17 @@ struct SolvedSet {
     Estimate cubic_limit{};          // b and its sd where it is held at zero; scaled units
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
-    ChannelTolerance tolerance;                  // stated or assumed: the sizes of the errors in u
-
-    double mean_f_ref_hz() const;
-};
-
-// A set with all that its numbers follow from. `tolerance`: of the free model that of the drifts
-// alone.
-struct FittedSet : SolvedSet {
+    // Stated or assumed: the sizes of the errors in u; of the free model the drifts alone.
+    ChannelTolerance tolerance;
+    // By describe().
     Posterior posterior{};
     ModeOrder order{};
     Eigen::MatrixXd moved{};      // moved_by() the tolerance
     Eigen::MatrixXd scattered{};  // active parameters by one deviation of each run from the set
     ReportedVariances variances{};
     double split_needs = 3;  // least size of a given split or anisotropy, standard deviations
+
+    double mean_f_ref_hz() const;
 };
 
 // The variances of a set with all the rest, by central differences. `beside`: parameters as likely

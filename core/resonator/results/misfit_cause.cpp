@@ -34,12 +34,12 @@ constexpr double least_cycles = 3;  // least distance of a line from the wave, c
 constexpr double lines_per_cycle = 3;
 constexpr double most_lines = 1e5;
 
-double wave_hz_of(const SolvedSet& set, const Posterior& at) {
+double wave_hz_of(const FittedSet& set, const Posterior& at) {
     return set.fine[0].f_ref_hz + at.p[set.problem->layout.at(0, frequency_at)];
 }
 
 // A line at `f_hz` that decays: both parts of its phasor in each channel and run.
-Effect line_effect(const SolvedSet& set, double f_hz, double decay_per_s) {
+Effect line_effect(const FittedSet& set, double f_hz, double decay_per_s) {
     return effect_by_window(
         *set.problem, 4 * static_cast<Index>(set.fine.size()),
         [&](std::size_t k, const ScaledRun& run, std::size_t window, MatrixXd& by) {
@@ -63,7 +63,7 @@ struct DampedResidual {
     double norm = 0;
 };
 
-std::vector<DampedResidual> damped_residuals(const SolvedSet& set, const Posterior& at) {
+std::vector<DampedResidual> damped_residuals(const FittedSet& set, const Posterior& at) {
     std::vector<DampedResidual> all;
     for (std::size_t k = 0; k < set.fine.size(); ++k) {
         const ScaledRun& run = set.problem->runs[k];
@@ -150,7 +150,7 @@ private:
 
 // Frequency of a line in the fine windows, among those `spacing_hz` apart that merged windows do
 // not distinguish.
-double unaliased(const SolvedSet& set, const Posterior& at, double f_hz, double spacing_hz,
+double unaliased(const FittedSet& set, const Posterior& at, double f_hz, double spacing_hz,
                  const JobControl& job) {
     const FitProblem& problem = *set.problem;
     const std::span<const PhasorRun> fine = set.fine;
@@ -196,7 +196,7 @@ struct Line {
 };
 
 // The strongest line within the windows' band, away from the wave.
-Line strongest_line(const SolvedSet& set, const Posterior& at, const JobControl& job) {
+Line strongest_line(const FittedSet& set, const Posterior& at, const JobControl& job) {
     const FitProblem& problem = *set.problem;
     const double longest = longest_s(problem);
     const double step_s = std::ranges::min(problem.runs, {}, &ScaledRun::step_s).step_s;
@@ -249,7 +249,7 @@ Line strongest_line(const SolvedSet& set, const Posterior& at, const JobControl&
 
 // The line nearer to the wave that leaves only noise, decaying like the wave or steady: noise of a
 // finite width leaves more.
-Line nearest_line(const SolvedSet& set, const Posterior& at, const JobControl& job) {
+Line nearest_line(const FittedSet& set, const Posterior& at, const JobControl& job) {
     constexpr double nearest = 0.4;  // cycles over a run
     constexpr double step = 1.0 / 6;
     const FitProblem& problem = *set.problem;
@@ -293,7 +293,7 @@ MessageArg friction_words(double exponent) {
     return exponent < 1.5 ? Phrase::tr("the friction of air") : Phrase::tr("the squared amplitude");
 }
 
-std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,
+std::optional<MisfitCause> misfit_cause(const FittedSet& set, const Posterior& posterior,
                                         Causes causes, const JobControl& job) {
     const FitProblem& problem = *set.problem;
     const double beyond = posterior.chi2() - degrees_of_freedom(problem);

@@ -20,7 +20,7 @@ struct MisfitCause {
     double fall = 0;  // of chi^2
 };
 enum class Causes { all, without_lines };
-std::optional<MisfitCause> misfit_cause(const SolvedSet& set, const Posterior& posterior,
+std::optional<MisfitCause> misfit_cause(const FittedSet& set, const Posterior& posterior,
                                         Causes causes, const JobControl& job);
 
 // Words for a damping whose rate follows the amplitude to a power.

@@ -94,12 +94,12 @@ struct ResonatorNumbers {
     ResonatorModel model{};
     ResonatorEstimate resonator;      // each with reason free_model for the free model
     std::vector<ModeEstimate> modes;  // two in the order of the modes, or none
-    std::vector<RunEstimate> runs;    // in the order of the given runs
+    ModeOrder mode_order{};
+    std::vector<RunEstimate> runs;  // in the order of the given runs
     RawParameters raw;
 };
 
 struct ResonatorFit : ResonatorNumbers {
-    ModeOrder mode_order{};
     Reason no_modes;  // reason for the absence of modes
     // By how much each of the resonator's parameters, in the order of resonator_parameters.h, is
     // wrong per unit of an error of which the fit does not know, in the units of usual_errors; NaN

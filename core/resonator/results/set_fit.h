@@ -146,7 +146,7 @@ private:
     std::vector<PhasorRun> runs_;
     FitTask task_;
     FitProblem problem_;
-    SolvedSet set_;            // refers to the runs and the problem
+    FittedSet set_;            // refers to the runs and the problem
     Eigen::VectorXd start_;    // of a trial; else empty
     bool phase_left_ = false;  // still waves explain everything except the phase
     bool no_motion_ = false;   // a run is known to be no motion that a model has

@@ -89,7 +89,7 @@ private slots:
                                   49.85, 50.26, 50.33, 50.11, 49.36, 49.52, 50.05,
                                   49.38, 49.92, 50.73, 51.23, 51.94, 51.99};
         const std::vector<double> u(values.size(), absent);
-        const ControlCharts charts = control_charts(values, u, values.size(), {.lambda = 0.3});
+        const ControlCharts charts = control_charts(values, u, values.size(), 0.3);
         const double deviation = charts.deviations[0];
         VYBEG_CLOSE(deviation, 1.969043, 1e-6);  // statistics.stdev() of Python
         const ControlChart& average = charts.average;
