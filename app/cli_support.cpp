@@ -185,9 +185,13 @@ void Log::progress(double fraction) {
     percent_ = percent;
 }
 
-void Log::timing(const nlohmann::ordered_json& times) const {
+void Log::timing(Times times) const {
     if (options_.timing) {
-        std::fputs((times.dump() + "\n").c_str(), stderr);
+        Json object;
+        for (const auto& time : times) {
+            std::visit([&](auto number) { object[time.first] = number; }, time.second);
+        }
+        std::fputs((json_line(object) + "\n").c_str(), stderr);
     }
 }
 

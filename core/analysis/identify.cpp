@@ -262,6 +262,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     const IdentifySettings& settings = found.settings;
     std::vector<PhasorRun> phasors;
     for (RecordedRun& run : runs) {
+        found.timing.windows += run.told.windows;
         found.runs.push_back(std::move(run.told));
         found.runs.back().track = run_track(run.phasors, run_track_points);
         found.runs.back().wave = motion_of(run.phasors, settings, job);
