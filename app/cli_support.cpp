@@ -226,10 +226,7 @@ std::string text_of(const Estimate& estimate, const std::string& unit) {
 }
 
 std::string text_in_degrees(const Estimate& estimate) {
-    constexpr double degrees = 180 / std::numbers::pi;
-    return text_of(
-        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
-        "deg");
+    return text_of(180 / std::numbers::pi * estimate, "deg");
 }
 
 std::string line(const std::string& name, const std::string& text) {

@@ -240,10 +240,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
 }
 
 void refer_to_recorded(double calibrated, ResonatorFit& fit) {
-    Estimate& kappa = fit.resonator.kappa;
-    kappa.value *= calibrated;
-    kappa.sd *= calibrated;
-    kappa.u *= calibrated;
+    fit.resonator.kappa = calibrated * fit.resonator.kappa;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
             for (double& each : fit.sensitivities[k]) {
