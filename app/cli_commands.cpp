@@ -17,8 +17,6 @@
 #include "core/recording/samples/recording.h"
 #include "core/track/track.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -179,10 +177,9 @@ Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
     const double begun = seconds_now();
     std::vector<std::string> names;  // of the sets
     std::size_t done = 0;
-    std::size_t computed = 0;
+    std::int64_t computed = 0;
     IdentifyTiming spent;  // summed over the sets that were computed
     double write_s = 0;
-    std::int64_t windows = 0;
     const auto begin = [&](const MeasurementList& list) {
         names.clear();
         done = 0;
@@ -204,9 +201,9 @@ Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
         spent.carrier_s += row.timing.carrier_s;
         spent.estimate_s += row.timing.estimate_s;
         spent.fit_s += row.timing.fit_s;
+        spent.windows += row.timing.windows;
         spent.threads = row.timing.threads;
         write_s += row.write_s;
-        windows += row.windows;
         const std::string& name = names[row.set];
         log.warnings(row.warnings, name);
         if (row.error) {
@@ -225,7 +222,7 @@ Status run_batch(const BatchRequest& request, Log& log, std::stop_token stop) {
                     {"write_s", write_s},
                     {"batch_s", seconds_now() - begun},
                     {"sets", computed},
-                    {"windows", windows},
+                    {"windows", spent.windows},
                     {"threads", spent.threads},
                     {"jobs", request.jobs}});
     }

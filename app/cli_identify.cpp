@@ -12,8 +12,6 @@
 #include "core/recording/samples/open_table.h"
 #include "core/resonator/results/resonator_parameters.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -308,13 +306,7 @@ Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
     return {};
 }
 
-void tell_timing(const Identification& identification, double open_s, double write_s,
-                 const Log& log) {
-    const IdentifyTiming& timing = identification.timing;
-    std::int64_t windows = 0;
-    for (const IdentifiedRun& run : identification.runs) {
-        windows += run.windows;
-    }
+void tell_timing(const IdentifyTiming& timing, double open_s, double write_s, const Log& log) {
     log.timing({{"open_s", open_s},
                 {"read_s", timing.read_s},
                 {"carrier_s", timing.carrier_s},
@@ -322,7 +314,7 @@ void tell_timing(const Identification& identification, double open_s, double wri
                 {"windows_s", timing.windows_s},
                 {"fit_s", timing.fit_s},
                 {"write_s", write_s},
-                {"windows", windows},
+                {"windows", timing.windows},
                 {"threads", timing.threads}});
 }
 
@@ -364,7 +356,7 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
         files.push_back(&*passport);
     }
     TRY(OutputFile::commit_together(files));
-    tell_timing(result->identification, opened - begun, seconds_now() - identified, log);
+    tell_timing(result->identification.timing, opened - begun, seconds_now() - identified, log);
     return {};
 }
 

@@ -185,9 +185,13 @@ void Log::progress(double fraction) {
     percent_ = percent;
 }
 
-void Log::timing(const nlohmann::ordered_json& times) const {
+void Log::timing(Times times) const {
     if (options_.timing) {
-        std::fputs((times.dump() + "\n").c_str(), stderr);
+        Json object;
+        for (const auto& time : times) {
+            std::visit([&](auto number) { object[time.first] = number; }, time.second);
+        }
+        std::fputs((json_line(object) + "\n").c_str(), stderr);
     }
 }
 
@@ -222,10 +226,7 @@ std::string text_of(const Estimate& estimate, const std::string& unit) {
 }
 
 std::string text_in_degrees(const Estimate& estimate) {
-    constexpr double degrees = 180 / std::numbers::pi;
-    return text_of(
-        {estimate.value * degrees, estimate.sd * degrees, estimate.reason, estimate.u * degrees},
-        "deg");
+    return text_of(180 / std::numbers::pi * estimate, "deg");
 }
 
 std::string line(const std::string& name, const std::string& text) {

@@ -8,13 +8,15 @@
 #include "core/resonator/model/reason.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace vybeg::cli {
@@ -49,8 +51,9 @@ public:
     int fail_usage(const std::string& sentence);
     // Never called from two threads at once; fraction 0..1.
     void progress(double fraction);
-    // Where the time went, as the last line, where it is asked for.
-    void timing(const nlohmann::ordered_json& times) const;
+    // Where the time went, as the last line, where it is asked for: names with seconds or counts.
+    using Times = std::initializer_list<std::pair<const char*, std::variant<double, std::int64_t>>>;
+    void timing(Times times) const;
     // Of an analysis, or of what has no windows.
     void timing(const Timing& timing, double write_s, std::int64_t windows) const;
 

@@ -245,6 +245,7 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
     }
     for (std::size_t k = 0; k < runs.size(); ++k) {
         found.runs.push_back(run_of_powers(runs[k], fit.runs[k], options.assumed, job));
+        found.timing.windows += found.runs.back().windows;
     }
     found.drift = drift_function(fit.runs, found.fit, job);
     found.timing.fit_s = job.now() - begun;

@@ -240,10 +240,7 @@ Result<Identification> identify(std::span<const Recording> recordings,
 }
 
 void refer_to_recorded(double calibrated, ResonatorFit& fit) {
-    Estimate& kappa = fit.resonator.kappa;
-    kappa.value *= calibrated;
-    kappa.sd *= calibrated;
-    kappa.u *= calibrated;
+    fit.resonator.kappa = calibrated * fit.resonator.kappa;
     for (std::size_t k = 0; k < fit.sensitivities.size(); ++k) {
         if (resonator_parameters[k].member == &ResonatorEstimate::kappa) {
             for (double& each : fit.sensitivities[k]) {
@@ -262,6 +259,7 @@ Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identificati
     const IdentifySettings& settings = found.settings;
     std::vector<PhasorRun> phasors;
     for (RecordedRun& run : runs) {
+        found.timing.windows += run.told.windows;
         found.runs.push_back(std::move(run.told));
         found.runs.back().track = run_track(run.phasors, run_track_points);
         found.runs.back().wave = motion_of(run.phasors, settings, job);

@@ -10,6 +10,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/run_track.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ inline constexpr std::size_t run_track_points = 200;
 struct IdentifyTiming : Timing {
     double windows_s = 0;  // all of these together, by the clock
     double fit_s = 0;
+    std::int64_t windows = 0;
 };
 
 struct Identification {

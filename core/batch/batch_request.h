@@ -42,7 +42,6 @@ struct FinishedRow {
     std::optional<Error> error{};  // why the set has no result
     IdentifyTiming timing{};
     double write_s = 0;  // files and database
-    std::int64_t windows = 0;
 };
 
 // Receivers of the events of a batch, called in its threads, never two at once; the first three are

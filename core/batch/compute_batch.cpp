@@ -446,14 +446,10 @@ private:
                 give_up(kept.error());
                 return;
             }
-            FinishedRow row{.fields = batch_row(*result, verdict_of(task, &result->identification)),
-                            .warnings = std::move(warnings),
-                            .timing = result->identification.timing,
-                            .write_s = job.now() - identified};
-            for (const IdentifiedRun& run : result->identification.runs) {
-                row.windows += run.windows;
-            }
-            add_row(task, std::move(row));
+            add_row(task, {.fields = batch_row(*result, verdict_of(task, &result->identification)),
+                           .warnings = std::move(warnings),
+                           .timing = result->identification.timing,
+                           .write_s = job.now() - identified});
         }
 
         // Writes what goes beside the row, before it: a row in the journal means that its files and

@@ -40,11 +40,6 @@ std::string field(const std::string& text, char separator) {
     return field + "\"";
 }
 
-// An empty field is "not stated".
-std::string number(double value) {
-    return std::isfinite(value) ? round_trip_text(value) : "";
-}
-
 // `results`: from the model to the warnings; empty: there are none.
 BatchRow whole_row(const MeasurementSet& set, const std::string& status, const std::string& message,
                    const BatchRow& results, const std::optional<LimitVerdict>& limits) {
@@ -138,10 +133,6 @@ bool is_batch_table(const std::filesystem::path& path) {
 
 std::string batch_head(std::span<const std::string> header,
                        std::span<const std::string> other_columns, bool limits) {
-    std::string text;
-    for (const std::string& line : header) {
-        text += "# " + plain_text(line) + "\n";
-    }
     std::vector<std::string> names = batch_columns(limits);
     for (std::string name : other_columns) {
         while (std::ranges::find(names, name) != names.end()) {
@@ -149,7 +140,7 @@ std::string batch_head(std::span<const std::string> header,
         }
         names.push_back(name);
     }
-    return text + csv_row(names);
+    return comment_lines(header) + csv_row(names);
 }
 
 BatchRow batch_row(const MeasurementSet& set) {
@@ -167,18 +158,18 @@ BatchRow batch_row(const SetResult& result, const std::optional<LimitVerdict>& l
     BatchRow results{fit.model == ResonatorModel::structured ? "structured" : "free"};
     for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
-        results.push_back(estimate.given() ? number(estimate.value) : "");
-        results.push_back(estimate.given() ? number(estimate.sd) : "");
+        results.push_back(estimate.given() ? csv_number(estimate.value) : "");
+        results.push_back(estimate.given() ? csv_number(estimate.sd) : "");
     }
     const std::vector<Finding> findings = findings_of(found);
     // Numbers that may be wrong are compared with nothing: the message says why.
     const bool doubtful = is_doubtful(found);
     const auto [judged, changed] = verdict(doubtful ? std::nullopt : result.comparison);
     results.insert(results.end(), {fit.noise.white() ? "white" : "coloured",
-                                   number(fit.chi2_per_dof), judged, changed});
+                                   csv_number(fit.chi2_per_dof), judged, changed});
     for (const ResonatorParameter& parameter : parameters) {
         const Estimate& estimate = fit.resonator.*parameter.member;
-        results.push_back(estimate.given() ? number(estimate.u) : "");
+        results.push_back(estimate.given() ? csv_number(estimate.u) : "");
     }
     results.push_back(warning_kinds(findings));
     return whole_row(result.set, "ok", doubtful ? english(findings.front()) : "", results, limits);
@@ -227,6 +218,18 @@ std::string csv_row(const std::vector<std::string>& texts, char separator) {
         row += field(text, separator);
     }
     return row;
+}
+
+std::string csv_number(double value) {
+    return std::isfinite(value) ? round_trip_text(value) : "";
+}
+
+std::string comment_lines(std::span<const std::string> lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+        text += "# " + plain_text(line) + "\n";
+    }
+    return text;
 }
 
 }  // namespace vybeg

@@ -59,4 +59,10 @@ LimitVerdict limit_verdict(const Identification* found, const std::vector<Parame
 // Texts as a row of such a table: in quotes where they hold a separator.
 std::string csv_row(const std::vector<std::string>& texts, char separator = ',');
 
+// A number as a field of a row: empty where there is none.
+std::string csv_number(double value);
+
+// The lines above such a table.
+std::string comment_lines(std::span<const std::string> lines);
+
 }  // namespace vybeg

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vybeg {
 namespace {
@@ -82,10 +83,7 @@ double degrees_per_hour(double rad_per_s) {
 }
 
 Estimate degrees_per_hour(Estimate rad_per_s) {
-    rad_per_s.value *= deg_h;
-    rad_per_s.sd *= deg_h;
-    rad_per_s.u *= deg_h;
-    return rad_per_s;
+    return deg_h * std::move(rad_per_s);
 }
 
 std::string drift_json(const std::string& program, const DriftOutcome& outcome) {

@@ -24,29 +24,12 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <type_traits>
 
 namespace vybeg::ui {
-
-namespace {
-
-// As the entries of the lists; the first one is that of the file.
-constexpr std::array<std::optional<double>, 5> log_time_units{std::nullopt, 1.0, 1e-3, 1e-6, 1e-9};
-constexpr std::array<std::optional<char>, 6> log_delimiters{std::nullopt, ',', ';', '\t', ' ', '|'};
-constexpr std::array<std::optional<bool>, 3> decimal_commas{std::nullopt, false, true};
-
-template <class List, class Value>
-int placeIn(const List& list, const Value& value) {
-    const auto found = std::ranges::find(list, value);
-    return found == list.end() ? 0 : static_cast<int>(found - list.begin());
-}
-
-}  // namespace
 
 DriftPanel::DriftPanel(Document& document, QWidget* parent)
     : QWidget(parent),
@@ -58,9 +41,9 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
       columns_(withName(new QLineEdit(this), "driftColumns")),
       fault_(withName(new QLabel(this), "driftFault")),
       angle_unit_(makeList("driftAngleUnit", log_angle_units.size())),
-      time_unit_(makeList("driftTimeUnit", log_time_units.size())),
-      delimiter_(makeList("driftDelimiter", log_delimiters.size())),
-      decimal_(makeList("driftDecimal", decimal_commas.size())),
+      time_unit_(makeList("driftTimeUnit", 1 + time_units.size())),
+      delimiter_(makeList("driftDelimiter", 1 + delimiters.size())),
+      decimal_(makeList("driftDecimal", 1 + decimal_signs.size())),
       skip_lines_(makeNumber("driftSkipLines")),
       time_column_(makeNumber("driftTimeColumn")),
       rate_(makeNumber("driftRate")),
@@ -113,15 +96,16 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
             settings.log.rad_per_angle_unit = log_angle_units.at(static_cast<std::size_t>(place));
         });
     });
-    const auto chooses = [this](QComboBox* box, const auto& list, auto member) {
-        connect(box, &QComboBox::activated, this, [this, &list, member](int place) {
-            editText(
-                [&](TextChoice& text) { text.*member = list.at(static_cast<std::size_t>(place)); });
+    const auto chooses = [this](QComboBox* box, const auto& words, auto member) {
+        connect(box, &QComboBox::activated, this, [this, &words, member](int place) {
+            editText([&](TextChoice& text) {
+                text.*member = entriesOf(words).at(static_cast<std::size_t>(place));
+            });
         });
     };
-    chooses(time_unit_, log_time_units, &TextChoice::time_unit_s);
-    chooses(delimiter_, log_delimiters, &TextChoice::delimiter);
-    chooses(decimal_, decimal_commas, &TextChoice::decimal_comma);
+    chooses(time_unit_, time_units, &TextChoice::time_unit_s);
+    chooses(delimiter_, delimiters, &TextChoice::delimiter);
+    chooses(decimal_, decimal_signs, &TextChoice::decimal_comma);
     const auto counts = [this](NumberField* field, auto member) {
         connect(field, &NumberField::valueEdited, this,
                 [this, member](const std::optional<double>& number) {
@@ -231,9 +215,9 @@ void DriftPanel::refresh() {
     }
     const TextChoice text = settings.open.text.value_or(TextChoice{});
     angle_unit_->setCurrentIndex(placeIn(log_angle_units, settings.log.rad_per_angle_unit));
-    time_unit_->setCurrentIndex(placeIn(log_time_units, text.time_unit_s));
-    delimiter_->setCurrentIndex(placeIn(log_delimiters, text.delimiter));
-    decimal_->setCurrentIndex(placeIn(decimal_commas, text.decimal_comma));
+    time_unit_->setCurrentIndex(placeIn(entriesOf(time_units), text.time_unit_s));
+    delimiter_->setCurrentIndex(placeIn(entriesOf(delimiters), text.delimiter));
+    decimal_->setCurrentIndex(placeIn(entriesOf(decimal_signs), text.decimal_comma));
     const auto show = [](NumberField* field, const auto& number) {
         field->setValue(number ? std::optional(static_cast<double>(*number)) : std::nullopt);
     };

@@ -1,13 +1,11 @@
 #include "ui/history/history_export.h"
 
 #include "core/base/number_text.h"
-#include "core/base/plain_text.h"
 #include "core/output/batch_csv.h"
 #include "ui/report/report_parts.h"
 #include "ui/words/program_name.h"
 #include "ui/words/rich_text.h"
 
-#include <cmath>
 #include <utility>
 
 namespace vybeg::ui {
@@ -20,11 +18,6 @@ std::string columnOf(const HistoryParameter& parameter) {
         .replace(QLatin1String("modes["), QLatin1String("mode_"))
         .replace(QLatin1String("]."), QLatin1String("_"))
         .toStdString();
-}
-
-// An empty field is "not stated".
-std::string fieldOf(double value) {
-    return std::isfinite(value) ? round_trip_text(value) : "";
 }
 
 // The charts in which a point lies outside.
@@ -44,25 +37,20 @@ std::string outsideCodes(const HistoryCharts& charts, std::size_t point) {
 std::string tableOf(const HistoryView& view, const std::vector<std::string>& header) {
     const StoredHistory& history = view.history;
     const std::string name = columnOf(view.parameter);
-    std::string text;
-    for (const std::string& line : header) {
-        text += "# ";
-        text += plain_text(line);
-        text += '\n';
-    }
+    std::string text = comment_lines(header);
     text += csv_row({"result", "set", "gyro", "date", name, "sd_" + name, "u_" + name, "reason",
                      "f_mean_hz", "sd_f_mean_hz", "u_f_mean_hz", "bias_v", "temperature_c",
                      "exchanged", "outside", "warnings", "program"});
     text += '\n';
     for (std::size_t k = 0; k < history.points.size(); ++k) {
         const HistoryPoint& at = history.points[k];
-        text +=
-            csv_row({integer_text(at.id), at.set, at.gyro, at.date.text, fieldOf(at.value.value),
-                     fieldOf(at.value.sd), fieldOf(at.value.u),
-                     at.value.given() ? std::string() : english(at.value.reason),
-                     fieldOf(at.f_mean_hz.value), fieldOf(at.f_mean_hz.sd), fieldOf(at.f_mean_hz.u),
-                     fieldOf(at.bias_v), fieldOf(at.temperature_c), at.exchanged ? "yes" : "no",
-                     outsideCodes(view.charts, k), at.warnings, at.program});
+        text += csv_row(
+            {integer_text(at.id), at.set, at.gyro, at.date.text, csv_number(at.value.value),
+             csv_number(at.value.sd), csv_number(at.value.u),
+             at.value.given() ? std::string() : english(at.value.reason),
+             csv_number(at.f_mean_hz.value), csv_number(at.f_mean_hz.sd),
+             csv_number(at.f_mean_hz.u), csv_number(at.bias_v), csv_number(at.temperature_c),
+             at.exchanged ? "yes" : "no", outsideCodes(view.charts, k), at.warnings, at.program});
         text += '\n';
     }
     return text;

@@ -20,16 +20,7 @@ namespace vybeg::ui {
 
 namespace {
 
-constexpr std::array delimiters = {',', ';', '\t', ' ', '|'};
-constexpr std::array time_units = {1.0, 1e-3, 1e-6, 1e-9};
 constexpr int most_columns = 200;  // offered in a list
-
-// Selects an entry of a list whose first one is "automatic".
-template <class List>
-int indexOf(const List& list, const auto& value) {
-    const auto* const found = std::ranges::find(list, value);
-    return found == list.end() ? 0 : static_cast<int>(found - list.begin()) + 1;
-}
 
 void select(QComboBox& box, int number) {
     int index = box.findData(number);
@@ -209,8 +200,8 @@ void ImportFields::setOptions(const OpenOptions& options) {
     read_as_->setCurrentIndex(static_cast<int>(options.raw    ? ReadAs::raw
                                                : options.text ? ReadAs::text
                                                               : ReadAs::content));
-    delimiter_->setCurrentIndex(text.delimiter ? indexOf(delimiters, *text.delimiter) : 0);
-    decimal_->setCurrentIndex(!text.decimal_comma ? 0 : *text.decimal_comma ? 2 : 1);
+    delimiter_->setCurrentIndex(placeIn(entriesOf(delimiters), text.delimiter));
+    decimal_->setCurrentIndex(placeIn(entriesOf(decimal_signs), text.decimal_comma));
     skip_lines_->setValue(text.lines_to_skip
                               ? std::optional(static_cast<double>(*text.lines_to_skip))
                               : std::nullopt);
@@ -219,7 +210,7 @@ void ImportFields::setOptions(const OpenOptions& options) {
     } else {
         time_column_->setCurrentIndex(0);
     }
-    time_unit_->setCurrentIndex(text.time_unit_s ? indexOf(time_units, *text.time_unit_s) : 0);
+    time_unit_->setCurrentIndex(placeIn(entriesOf(time_units), text.time_unit_s));
     raw_type_->setCurrentIndex(static_cast<int>(raw.type));
     raw_order_->setCurrentIndex(raw.big_endian ? 1 : 0);
     raw_channels_->setValue(raw.channels);
@@ -252,12 +243,11 @@ bool ImportFields::hasVariables() const {
 
 TextChoice ImportFields::textChoice() const {
     TextChoice choice;
-    const auto listed = [](const QComboBox& box, const auto& list) {
-        const int index = box.currentIndex();
-        return index > 0 ? std::optional(list[static_cast<std::size_t>(index - 1)]) : std::nullopt;
+    const auto listed = [](const QComboBox& box, const auto& words) {
+        return entriesOf(words).at(static_cast<std::size_t>(box.currentIndex()));
     };
     choice.delimiter = listed(*delimiter_, delimiters);
-    choice.decimal_comma = listed(*decimal_, std::array{false, true});
+    choice.decimal_comma = listed(*decimal_, decimal_signs);
     if (const auto lines = skip_lines_->typed()) {
         choice.lines_to_skip = static_cast<std::int64_t>(*lines);
     }
@@ -349,7 +339,7 @@ void ImportFields::showAutomatic() {
         box.setItemText(0, automatic(found ? value(*found) : QString()));
     };
     entry(*delimiter_, [this](const TextFormat& found) {
-        return delimiter_->itemText(indexOf(delimiters, found.delimiter));
+        return delimiter_->itemText(placeIn(entriesOf(delimiters), found.delimiter));
     });
     entry(*decimal_, [this](const TextFormat& found) {
         return decimal_->itemText(found.decimal_comma ? 2 : 1);
@@ -360,7 +350,7 @@ void ImportFields::showAutomatic() {
                           : named(column + 1, {found.heading(column).name, {}});
     });
     entry(*time_unit_, [this](const TextFormat& found) {
-        const int index = indexOf(time_units, found.time_unit_s);
+        const int index = placeIn(entriesOf(time_units), found.time_unit_s);
         return found.time_column >= 0 && index > 0 ? time_unit_->itemText(index) : QString();
     });
     const TextFormat* lines = format(!skip_lines_->typed());

@@ -367,9 +367,7 @@ void LogDialog::showGiven() {
     if (told.names != usualNames(columnsOf(told))) {
         columns_->setText(QString::fromStdString(told.names));
     }
-    const auto* const unit = std::ranges::find(log_angle_units, told.rad_per_angle_unit);
-    angle_unit_->setCurrentIndex(
-        unit == log_angle_units.end() ? 0 : static_cast<int>(unit - log_angle_units.begin()));
+    angle_unit_->setCurrentIndex(placeIn(log_angle_units, told.rad_per_angle_unit));
     const auto number = [](double value) {
         return value == 0 ? std::nullopt : std::optional(value);
     };

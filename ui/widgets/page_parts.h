@@ -7,8 +7,12 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <initializer_list>
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QBoxLayout;
@@ -75,6 +79,19 @@ void makeSentence(QLabel& label);
 QLabel* hint(QWidget* parent, const char* name);
 // The texts of a box's entries.
 void setTexts(QComboBox& box, const QStringList& texts);
+// The values of words as entries of a box, behind one that leaves the choice open.
+template <class Value, std::size_t count>
+constexpr auto entriesOf(const std::array<std::pair<const char*, Value>, count>& words) {
+    std::array<std::optional<Value>, count + 1> entries;
+    std::ranges::transform(words, entries.begin() + 1, [](auto& each) { return each.second; });
+    return entries;
+}
+// The place of a value among entries; 0 where it is none of them.
+template <class Entries, class Value>
+int placeIn(const Entries& entries, const Value& value) {
+    const auto found = std::ranges::find(entries, value);
+    return found == entries.end() ? 0 : static_cast<int>(found - entries.begin());
+}
 
 // Each text a paragraph, in the form of `form`, whose %1 it takes.
 QString paragraphs(const QStringList& texts, const QString& form);

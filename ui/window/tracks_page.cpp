@@ -1,5 +1,6 @@
 #include "ui/window/tracks_page.h"
 
+#include "core/numerics/statistics.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace vybeg::ui {
 
@@ -50,12 +52,11 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
     if (sds.empty()) {
         return {};
     }
-    const auto middle = sds.begin() + static_cast<std::ptrdiff_t>(sds.size() / 2);
-    std::ranges::nth_element(sds, middle);
     const QString unit = displayUnit(variable, units);
     return QStringLiteral("σ(%1) = %2%3")
         .arg(displaySymbol(variable, units),
-             QLocale().toString(displayScale(variable, units, 0).sd(0, *middle), 'g', 2),
+             QLocale().toString(displayScale(variable, units, 0).sd(0, median(std::move(sds))), 'g',
+                                2),
              unit == QStringLiteral("°") ? unit : ' ' + unit);
 }
 

@@ -490,12 +490,9 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     }
     // Checked before the second pass.
     TRY(choose_rate(*file, found.own_rate, options));
-    const auto chosen_c = reader.choose(reader.channel(options.channel_c));
-    const auto chosen_d = reader.choose(reader.channel(options.channel_d));
-    if (!chosen_c || !chosen_d) {
-        return (chosen_c ? chosen_d : chosen_c).error();
-    }
-    auto columns = TRY(reader.columns(*chosen_c, *chosen_d));
+    const auto chosen_c = TRY(reader.choose(reader.channel(options.channel_c)));
+    const auto chosen_d = TRY(reader.choose(reader.channel(options.channel_d)));
+    auto columns = TRY(reader.columns(chosen_c, chosen_d));
     found.format = {FormatPart::name("TDMS"), FormatPart::words(name_of(columns.c.type)),
                     FormatPart::channels(count)};
     found.channels = describe(reader);
@@ -507,9 +504,9 @@ Result<Recording> open_tdms(std::shared_ptr<const FileBytes> file, const OpenOpt
     const std::int64_t frames_c = columns.c.frames();
     const std::int64_t frames_d = columns.d.frames();
     found.source = column_source(std::move(columns.c), std::move(columns.d));
-    if (!chosen_c->scaling.steps.empty() || !chosen_d->scaling.steps.empty()) {
+    if (!chosen_c.scaling.steps.empty() || !chosen_d.scaling.steps.empty()) {
         found.source = mapped_source(std::move(found.source),
-                                     [c = chosen_c->scaling, d = chosen_d->scaling](
+                                     [c = chosen_c.scaling, d = chosen_d.scaling](
                                          std::span<double> samples_c, std::span<double> samples_d) {
                                          apply(c, samples_c);
                                          apply(d, samples_d);

@@ -216,7 +216,6 @@ namespace {
 
 constexpr std::int64_t least_times = 20;  // fewer rise within a period of a vibration, too
 constexpr std::int64_t times_at_once = std::int64_t{1} << 16;
-constexpr double longest_step_s = 1;
 
 }  // namespace
 
@@ -235,41 +234,15 @@ Result<std::optional<SampleRate>> rate_of_times(const SampleColumn& column, doub
         (unit_s == 1 && std::ranges::all_of(block, is_whole))) {
         return none;
     }
-    bool single = true;
-    const auto in_seconds = [&](std::span<double> times) {
-        for (double& time : times) {
-            single = single && is_single(time, 0);
-            time *= unit_s;
-        }
-    };
-    in_seconds(block);
-    const TimeResolution expected{.single_unit_s = single ? unit_s : 0};
-    const double step_s = typical_step(block, expected);
-    if (!(step_s > 0 && step_s < longest_step_s)) {
-        return none;
-    }
-    UniformTimeDetector detector(step_s, expected);
-    double before = block.front() - step_s;
-    for (std::int64_t at = 0; at < frames; at += times_at_once) {
-        TRY(job.go_on());
-        const auto times =
-            std::span(block).first(static_cast<std::size_t>(std::min(times_at_once, frames - at)));
-        TRY(read_column(column, at, times));
-        in_seconds(times);
-        for (const double time : times) {
-            if (!(time >= before)) {
-                return none;
-            }
-            detector.add(time);
-            before = time;
-        }
-    }
-    auto even = detector.judge({});
-    even = even || !single ? even : detector.judge({.single_unit_s = unit_s});
-    const bool whole = even && even->segments.size() == 1;
-    return whole ? std::optional(
-                       SampleRate{even->rate_hz, RateOrigin::time_column, even->rate_relative_sd})
-                 : none;
+    const auto steps = TRY(judge_column(
+        std::move(block), frames, unit_s, false,
+        [&](std::int64_t first, std::span<double> times) {
+            return read_column(column, first, times);
+        },
+        job.silent()));
+    return steps.is_even() ? std::optional(SampleRate{steps.even->rate_hz, RateOrigin::time_column,
+                                                      steps.even->rate_relative_sd})
+                           : none;
 }
 
 }  // namespace vybeg

@@ -201,14 +201,8 @@ Result<int> read_time_column(const std::string& option, const std::string& text)
     return static_cast<int>(column);
 }
 
-constexpr std::array delimiters{std::pair{"comma", ','}, std::pair{"semicolon", ';'},
-                                std::pair{"tab", '\t'}, std::pair{"space", ' '},
-                                std::pair{"bar", '|'}};
 constexpr const char* allowed_delimiters = "it is comma, semicolon, tab, space or bar";
-constexpr std::array time_units{std::pair{"s", 1.0}, std::pair{"ms", 1e-3}, std::pair{"us", 1e-6},
-                                std::pair{"ns", 1e-9}};
 constexpr const char* allowed_time_units = "it is s, ms, us or ns";
-constexpr std::array decimal_signs{std::pair{"point", false}, std::pair{"comma", true}};
 
 // Whether the value has a word; a value that is not there needs none.
 template <class Words, class Value>

@@ -3,11 +3,21 @@
 #include "core/base/setting_rows.h"
 #include "core/recording/samples/open_options.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vybeg {
+
+// The choices of a text file by their words, in the order of lists of them.
+inline constexpr std::array delimiters{std::pair{"comma", ','}, std::pair{"semicolon", ';'},
+                                       std::pair{"tab", '\t'}, std::pair{"space", ' '},
+                                       std::pair{"bar", '|'}};
+inline constexpr std::array decimal_signs{std::pair{"point", false}, std::pair{"comma", true}};
+inline constexpr std::array time_units{std::pair{"s", 1.0}, std::pair{"ms", 1e-3},
+                                       std::pair{"us", 1e-6}, std::pair{"ns", 1e-9}};
 
 // How a recording is opened, a row for each option, in the order of the command line's help: an
 // option that needs another one comes after it. The text of an option that is not given is empty.

@@ -441,4 +441,58 @@ std::optional<EvenTimes> UniformTimeDetector::judge(const TimeResolution& resolu
     return EvenTimes{rate_hz, *slope_sd * rate_hz, std::move(line.segments)};
 }
 
+Result<TimeSteps> judge_column(std::vector<double> block, std::int64_t rows, double unit_s,
+                               bool ticks,
+                               const std::function<Status(std::int64_t, std::span<double>)>& read,
+                               const JobControl& job) {
+    TimeSteps steps;
+    double before = block.front() * unit_s;
+    double last = 0;
+    TRY(read(rows - 1, std::span(&last, 1)));
+    const double mean_step_s = (last * unit_s - before) / static_cast<double>(rows - 1);
+    if (!(mean_step_s > 0 && mean_step_s < longest_step_s)) {
+        return steps;
+    }
+    // What the times may have been rounded to before they were stored.
+    bool whole = ticks;
+    bool single = true;
+    const auto in_seconds = [&](std::span<double> times) {
+        for (double& time : times) {
+            // But for the rounding of the unit.
+            whole = whole && std::abs(time - std::round(time)) <= 1e-15 * std::abs(time);
+            single = single && is_single(time, 0);
+            time *= unit_s;
+        }
+        steps.resolution = {.absolute_s = whole ? unit_s : 0, .single_unit_s = single ? unit_s : 0};
+    };
+    in_seconds(block);
+    // Of the first rows, where rounding does not make their times equal.
+    const double first_step_s = typical_step(block, steps.resolution);
+    UniformTimeDetector detector(first_step_s > 0 ? first_step_s : mean_step_s, steps.resolution);
+    bool repeated = false;
+    const auto at_once = static_cast<std::int64_t>(block.size());
+    for (std::int64_t at = 0; at < rows; at += at_once) {
+        TRY(job.go_on());
+        const auto times =
+            std::span(block).first(static_cast<std::size_t>(std::min(at_once, rows - at)));
+        TRY(read(at, times));
+        in_seconds(times);
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            if (!(times[i] >= before)) {
+                return steps;
+            }
+            repeated = repeated || (times[i] == before && at + static_cast<std::int64_t>(i) > 0);
+            detector.add(times[i]);
+            before = times[i];
+        }
+        job.report(static_cast<double>(at) / static_cast<double>(rows));
+    }
+    steps.even = detector.judge({});
+    if (!steps.even) {
+        steps.even = detector.judge(steps.resolution);
+    }
+    steps.is_time = steps.even || !repeated;
+    return steps;
+}
+
 }  // namespace vybeg

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/base/job_control.h"
+#include "core/base/result.h"
+
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -179,5 +183,25 @@ private:
     std::vector<Segment> segments_;
     Decade decade_;
 };
+
+// Times in longer steps count something.
+inline constexpr double longest_step_s = 1;
+
+// How a stored column of times runs.
+struct TimeSteps {
+    bool is_time = false;  // rises, in steps below a second
+    TimeResolution resolution;
+    std::optional<EvenTimes> even;
+    bool is_even() const { return is_time && even && even->segments.size() == 1; }
+};
+
+// Reads all `rows` of a column that counts in `unit_s` seconds once, block by block, holding none.
+// `block`: the first of them, as many as are read at once; `read` fills a span with those from a
+// row on. `ticks`: whole numbers may have been rounded to units. Errors: those of `read`,
+// interrupted.
+Result<TimeSteps> judge_column(std::vector<double> block, std::int64_t rows, double unit_s,
+                               bool ticks,
+                               const std::function<Status(std::int64_t, std::span<double>)>& read,
+                               const JobControl& job);
 
 }  // namespace vybeg

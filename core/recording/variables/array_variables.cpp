@@ -40,16 +40,13 @@ public:
     // Errors: those of the contents.
     Result<std::shared_ptr<const SampleSource>> source(const ChannelPlace& c, const ChannelPlace& d,
                                                        std::int64_t /*frames*/) const override {
-        auto column_c = column_of(array(c), c.channel);
-        auto column_d = column_of(array(d), d.channel);
-        if (!column_c || !column_d) {
-            return (column_c ? column_d : column_c).error();
-        }
-        const bool side_by_side = column_c->ranges[0].stride > bytes_of(column_c->type);
+        auto column_c = TRY(column_of(array(c), c.channel));
+        auto column_d = TRY(column_of(array(d), d.channel));
+        const bool side_by_side = column_c.ranges[0].stride > bytes_of(column_c.type);
         if (c.variable == d.variable && side_by_side) {
-            column_d->bytes = column_c->bytes;
+            column_d.bytes = column_c.bytes;
         }
-        return column_source(std::move(*column_c), std::move(*column_d));
+        return column_source(std::move(column_c), std::move(column_d));
     }
 
 private:

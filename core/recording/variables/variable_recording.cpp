@@ -213,7 +213,7 @@ private:
                    : file_.error(ErrorCode::variables_ambiguous, {array.name + ", " + other->name});
     }
 
-    // C before D where the names distinguish them, whatever their order in the file.
+    // C before D where the names tell them apart, whatever their order in the file.
     void put_named_first() {
         std::array<std::optional<ChannelPlace>, 2> named;
         for (const ChannelPlace& place : choice_.channels) {
@@ -284,7 +284,7 @@ private:
         return check_rate_of(d, own);
     }
 
-    // Whether the rate beside D in a struct or group of its own contradicts that of C.
+    // Whether what stands beside D in a struct or group of its own contradicts what C has.
     Status check_rate_of(const FileVariable& d, const std::string& own_of_c) {
         const std::string own = owner_of(d);
         for (std::int64_t i = 0; i < count() && own != own_of_c; ++i) {
@@ -356,16 +356,6 @@ private:
     VariableChoice choice_;
 };
 
-// How a vector of times runs.
-struct TimeSteps {
-    bool is_time = false;  // rises, in steps below a second: else it counts something
-    TimeResolution resolution;
-    std::optional<EvenTimes> even;
-    bool is_even() const { return is_time && even && even->segments.size() == 1; }
-};
-
-constexpr double longest_step_s = 1;
-
 // A file of which only samples and rate are not found yet.
 class VariableOpening {
 public:
@@ -406,66 +396,17 @@ public:
 
     // Reads all times once, block by block, holding none.
     Result<TimeSteps> scan_times(const JobControl& job) const {
-        const std::int64_t frames = choice_.frames;
-        const double unit_s = choice_.time_unit_s;
-        // Before the last time is looked at, for which much may have to be unpacked: most variables
-        // that are no times do not even begin like times.
-        std::vector<double> block(static_cast<std::size_t>(std::min(frames, frames_per_request)));
-        TRY(read_times(*choice_.time, 0, block));
-        if (!std::ranges::is_sorted(block)) {
-            return TimeSteps{};
-        }
-        const auto ends = TRY(ends_of(*choice_.time));
-        TimeSteps steps;
-        const double mean_step_s = mean_step(ends);
-        if (!(mean_step_s > 0 && mean_step_s < longest_step_s)) {
-            return steps;
-        }
-        // What the times may have been rounded to before they were stored.
-        bool whole = true;
-        bool single = true;
-        const auto see_digits = [&](std::span<const double> times_s) {
-            for (const double time_s : times_s) {
-                const double time = time_s / unit_s;
-                // But for the rounding of the unit.
-                whole = whole && std::abs(time - std::round(time)) <= 1e-15 * std::abs(time);
-                single = single && is_single(time, 0);
-            }
+        const auto read = [this](std::int64_t first, std::span<double> times) {
+            return reader_.read({*choice_.time, 0}, first, times);
         };
-        const auto resolution = [&]() -> TimeResolution {
-            return {.absolute_s = whole ? unit_s : 0, .single_unit_s = single ? unit_s : 0};
-        };
-        see_digits(block);
-        const TimeResolution expected = resolution();
-        // Of the first rows, where rounding does not make their times equal.
-        const double first_step_s = typical_step(block, expected);
-        UniformTimeDetector detector(first_step_s > 0 ? first_step_s : mean_step_s, expected);
-        bool repeated = false;
-        double before = ends[0];
-        for (std::int64_t at = 0; at < frames; at += frames_per_request) {
-            TRY(job.go_on());
-            const std::span<double> times(
-                block.data(), static_cast<std::size_t>(std::min(frames_per_request, frames - at)));
-            TRY(read_times(*choice_.time, at, times));
-            see_digits(times);
-            for (std::size_t i = 0; i < times.size(); ++i) {
-                if (!(times[i] >= before)) {
-                    return steps;
-                }
-                repeated =
-                    repeated || (times[i] == before && at + static_cast<std::int64_t>(i) > 0);
-                detector.add(times[i]);
-                before = times[i];
-            }
-            job.report(static_cast<double>(at) / static_cast<double>(frames));
-        }
-        steps.resolution = resolution();
-        steps.even = detector.judge({});
-        if (!steps.even) {
-            steps.even = detector.judge(steps.resolution);
-        }
-        steps.is_time = steps.even || !repeated;
-        return steps;
+        std::vector<double> block(
+            static_cast<std::size_t>(std::min(choice_.frames, frames_per_request)));
+        TRY(read(0, block));
+        // Before the last time is looked at, for which much may have to be unpacked:
+        // most of what is none does not even begin like one.
+        return std::ranges::is_sorted(block) ? judge_column(std::move(block), choice_.frames,
+                                                            choice_.time_unit_s, true, read, job)
+                                             : TimeSteps{};
     }
 
 private:
@@ -556,7 +497,7 @@ Result<Recording> open_variables(const FileBytes& file, const VariableReader& re
     const auto channels = static_cast<int>(choice.channels.size());
     TRY(check_channels(file, channels, options));
     TRY(check_frames(file, choice.frames));
-    // The columns after times keep their numbers, by which others may have been chosen.
+    // The columns behind times keep their numbers, by which others may have been chosen.
     OpenOptions used = options;
     if (options.channel_c == 1 && options.channel_d == 2 && !choice.time && channels > 2 &&
         choice.channels[2].variable == choice.channels[0].variable) {

@@ -38,6 +38,13 @@ struct Estimate {
 
     bool given() const { return reason.code == ReasonCode::none; }
     double uncertainty() const { return u >= sd ? u : sd; }
+
+    friend Estimate operator*(double factor, Estimate estimate) {
+        for (double* const each : {&estimate.value, &estimate.sd, &estimate.u}) {
+            *each *= factor;
+        }
+        return estimate;
+    }
 };
 
 // Name of a reason in JSON, e.g. "one-direction".

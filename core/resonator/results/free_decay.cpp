@@ -464,12 +464,7 @@ ModeEstimate mode_of(const Mean& f_hz, const Mean& decay_per_s) {
     ModeEstimate mode;
     mode.f_hz = f_hz.estimate();
     mode.tau_s = decay_time(decay_per_s.estimate());
-    mode.q = mode.tau_s;
-    if (mode.q.given()) {
-        const double by = std::numbers::pi * mode.f_hz.value;
-        mode.q.value *= by;
-        mode.q.sd *= by;
-    }
+    mode.q = std::numbers::pi * mode.f_hz.value * mode.tau_s;
     return mode;
 }
 
