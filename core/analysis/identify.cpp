@@ -251,6 +251,17 @@ void refer_to_recorded(double calibrated, ResonatorFit& fit) {
             }
         }
     }
+    RawParameters& raw = fit.raw;
+    const std::size_t count = raw.names.size();
+    for (std::size_t kappa = 0; kappa < count; ++kappa) {
+        if (raw.names[kappa] == "kappa") {
+            raw.values[kappa] *= calibrated;
+            for (std::size_t k = 0; k < count; ++k) {
+                raw.covariance[kappa * count + k] *= calibrated;
+                raw.covariance[k * count + kappa] *= calibrated;
+            }
+        }
+    }
 }
 
 Result<Identification> identify_runs(std::vector<RecordedRun> runs, Identification found,

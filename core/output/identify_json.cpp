@@ -296,21 +296,6 @@ Json differences_json(std::span<const Difference> differences) {
     return list;
 }
 
-// Refers the gain ratio to the recorded channels: the fit uses D over the gain ratio of the
-// calibration.
-void refer_to_recorded(double calibrated, RawParameters& raw) {
-    const auto found = std::ranges::find(raw.names, "kappa");
-    if (found == raw.names.end()) {
-        return;
-    }
-    const auto kappa = static_cast<std::size_t>(found - raw.names.begin());
-    raw.values[kappa] *= calibrated;
-    for (std::size_t k = 0; k < raw.names.size(); ++k) {
-        raw.covariance[kappa * raw.names.size() + k] *= calibrated;
-        raw.covariance[k * raw.names.size() + kappa] *= calibrated;
-    }
-}
-
 }  // namespace
 
 std::vector<Finding> findings_of(const Identification& identification) {
@@ -373,7 +358,6 @@ Passport passport_of(const SetResult& result) {
     }
     passport.inputs = result.set.recordings;
     passport.settings = settings_list(identification.settings);
-    refer_to_recorded(identification.settings.signal.calibration.kappa, passport.raw);
     for (const IdentifiedRun& run : identification.runs) {
         passport.tracks.push_back(run.track);
     }

@@ -142,6 +142,15 @@ private slots:
             VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
         }
         VYBEG_CLOSE_RATIO(budget.front().shares[rate_error], 1e-5 * 5300, 0.01);
+        // The raw parameters, of passports and the database, are those of the recorded channels,
+        // too.
+        const RawParameters& raw = found->fit.raw;
+        const auto kappa =
+            static_cast<std::size_t>(std::ranges::find(raw.names, "kappa") - raw.names.begin());
+        VYBEG_LESS(kappa, raw.names.size());
+        VYBEG_CLOSE_RATIO(raw.values[kappa], found->fit.resonator.kappa.value, 1e-9);
+        VYBEG_CLOSE_RATIO(std::sqrt(raw.covariance[kappa * (raw.names.size() + 1)]),
+                          found->fit.resonator.kappa.sd, 1e-6);
     }
 
     // Errors of the channels are those of the electrodes, wherever angles count from: the same
