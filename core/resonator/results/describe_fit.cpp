@@ -21,11 +21,6 @@
 namespace vybeg {
 namespace {
 
-constexpr auto shared_names = std::to_array<const char*>(
-    {"split_cos4_hz", "split_sin4_hz", "damping_cos4_per_s", "damping_sin4_per_s", "rotation_per_s",
-     "skew_per_s", "decay_per_s", "kappa", "non_orthogonality_rad", "phase_rad", "crosstalk",
-     "phase_drift_rad", "gain_drift", "frequency_per_power"});
-static_assert(shared_names.size() == shared_count);
 constexpr std::array<const char*, own_count> own_names{"c_re", "c_im", "d_re",
                                                        "d_im", "f_hz", "drift_hz_per_s"};
 
