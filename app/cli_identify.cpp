@@ -56,8 +56,8 @@ std::string tolerances_text(const IdentifySettings& settings) {
     const std::string list =
         joined(tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa), ", ",
                [](const ToleranceInUse& each) {
-                   const std::string unit = each.parameter.unit;
-                   return std::string(each.parameter.name()) + " " + short_text(each.value, 3) +
+                   const std::string unit = each.error.unit;
+                   return std::string(each.error.name) + " " + short_text(each.value, 3) +
                           (unit.empty() ? "" : " " + unit) + (each.assumed ? " (assumed)" : "");
                });
     std::string text = "± is statistical";
@@ -65,7 +65,7 @@ std::string tolerances_text(const IdentifySettings& settings) {
         text += "; u holds the tolerances " + list;
     }
     return text + "\n" +
-           (settings.tolerance.rate_ppm ? "" : "frequencies by the clock of the recorder\n");
+           (settings.tolerance[rate_error] ? "" : "frequencies by the clock of the recorder\n");
 }
 
 // By how much each parameter is wrong by an error of a usual size.

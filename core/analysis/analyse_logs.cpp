@@ -208,7 +208,7 @@ Result<Identification> identify_powers(std::span<const PowerRun> runs,
         return refused_value("--model", "free", "logs without a phase show no free model");
     }
     const std::optional<double>& carrier_hz = settings.signal.f0_hz;
-    const double delay_s = settings.tolerance.delay_s.value_or(0);
+    const double delay_s = settings.tolerance[delay_error].value_or(0);
     if (delay_s > 0 && !carrier_hz) {
         return refused_delay("--tolerance delay", delay_s);
     }

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <string_view>
 #include <utility>
@@ -37,19 +36,15 @@ Result<RecordedRun> run_of(const Recording& recording, const SignalSettings& sig
 // ones and that of the gain ratio. A delay of D is a phase at the carrier.
 enum class Taken { all, by_fit };
 ChannelTolerance tolerance_of(const IdentifySettings& settings, double f_hz, Taken taken) {
-    ChannelTolerance tolerance{.kappa = 0};
+    ChannelTolerance tolerance{};
     for (const ToleranceInUse& each :
          tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
-        const ErrorSource source = each.parameter.source;
-        const auto error = std::ranges::find(channel_errors, source, &ChannelError::source);
+        const ErrorSource source = each.error.source;
         const bool held = each.assumed && source != kappa_error;
-        if (error == channel_errors.end() || (held && taken == Taken::by_fit)) {
+        if (source >= channel_error_count || (held && taken == Taken::by_fit)) {
             continue;
         }
-        const double unit = source == skew_error    ? std::numbers::pi / 180
-                            : source == delay_error ? 2 * std::numbers::pi * f_hz
-                                                    : 1;
-        tolerance.*error->tolerance = unit * each.value;
+        tolerance[source] = std::abs(each.error.per_unit(f_hz)) * each.value;
     }
     return tolerance;
 }
@@ -123,7 +118,8 @@ void take_breaks(std::span<const FittedBreak> breaks, const IdentifySettings& se
 // An error of the clock falsifies every frequency, rate and time by as much; Q, a number of
 // periods, is free of it.
 void add_clock(std::span<const RecordedRun> recordings, Identification& found) {
-    const double told = found.settings.tolerance.rate_ppm.value_or(0) * 1e-6;
+    const double told =
+        found.settings.tolerance[rate_error].value_or(0) * tolerated_errors[rate_error].factor;
     // Uncertainty of a rate from the digits in its file. A stated tolerance is that of one
     // recorder, so that it leaves the differences between the recordings.
     double digits = 0;
@@ -332,7 +328,7 @@ FitOptions fit_options(const IdentifySettings& settings, double f_hz) {
     options.model = settings.model;
     options.tolerance = tolerance_of(settings, f_hz, Taken::by_fit);
     options.assumed = tolerance_of(settings, f_hz, Taken::all);
-    options.spread = settings.tolerance.spread;
+    options.spread = settings.tolerance[spread_error];
     return options;
 }
 

@@ -3,7 +3,6 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/base/read_value.h"
-#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <set>
@@ -30,7 +29,7 @@ std::optional<std::vector<std::pair<std::string, std::string_view>>> named_texts
 
 double assumed_tolerance(ErrorSource source, double calibrated_kappa) {
     if (source == kappa_error) {
-        return calibrated_kappa == 1 ? ChannelTolerance{}.kappa : 0;
+        return calibrated_kappa == 1 ? untold_channels[kappa_error] : 0;
     }
     const auto usual = std::ranges::find(usual_errors, source, &UsualError::source);
     return usual == usual_errors.end() ? 0 : usual->size;
@@ -38,11 +37,11 @@ double assumed_tolerance(ErrorSource source, double calibrated_kappa) {
 
 std::vector<ToleranceInUse> tolerances_in_use(const Tolerance& tolerance, double calibrated_kappa) {
     std::vector<ToleranceInUse> used;
-    for (const ToleranceParameter& parameter : tolerance_parameters) {
-        const std::optional<double>& told = tolerance.*parameter.member;
-        const double value = told ? *told : assumed_tolerance(parameter.source, calibrated_kappa);
+    for (const ToleratedError& error : tolerated_errors) {
+        const std::optional<double>& told = tolerance[error.source];
+        const double value = told ? *told : assumed_tolerance(error.source, calibrated_kappa);
         if (value > 0) {
-            used.push_back({parameter, value, !told});
+            used.push_back({error, value, !told});
         }
     }
     return used;
@@ -63,31 +62,31 @@ Result<Tolerance> read_tolerance(std::string_view text) {
     }
     for (const auto& part : *named) {
         const std::string& name = part.first;
-        const auto parameter = std::ranges::find_if(
-            tolerance_parameters, [&](const auto& known) { return name == known.name(); });
-        if (parameter == tolerance_parameters.end()) {
-            return wrong("\"" + name + "\" is none of " + joined(tolerance_names, ", "));
+        const auto error = std::ranges::find(tolerated_errors, name, &ToleratedError::name);
+        if (error == tolerated_errors.end()) {
+            return wrong("\"" + name + "\" is none of " +
+                         joined(tolerated_errors, ", ", &ToleratedError::name));
         }
         if (!given.insert(name).second) {
             return wrong(name + " is given twice");
         }
-        const std::string unit = parameter->unit;
+        const std::string unit = error->unit;
         const std::optional<double> value = number_with_unit(part.second, unit);
         if (!value || !within(tolerance_bounds, "--tolerance", *value)) {
             return wrong(name + " must be a number of zero or more" +
                          (unit.empty() ? "" : ", in " + unit));
         }
-        tolerance.*parameter->member = *value;
+        tolerance[error->source] = *value;
     }
     return tolerance;
 }
 
 std::string tolerance_text(const Tolerance& tolerance) {
     std::string text;
-    for (const ToleranceParameter& parameter : tolerance_parameters) {
-        if (const std::optional<double>& told = tolerance.*parameter.member) {
+    for (const ToleratedError& error : tolerated_errors) {
+        if (const std::optional<double>& told = tolerance[error.source]) {
             text += text.empty() ? "" : ",";
-            text += parameter.name();
+            text += error.name;
             text += '=' + round_trip_text(*told);
         }
     }

@@ -206,7 +206,7 @@ SettingRow<Settings> initial_row() {
 Tolerance assumed() {
     Tolerance tolerance;
     for (const ToleranceInUse& each : tolerances_in_use({}, 1)) {
-        tolerance.*each.parameter.member = each.value;
+        tolerance[each.error.source] = each.value;
     }
     return tolerance;
 }
@@ -214,12 +214,13 @@ Tolerance assumed() {
 SettingRow<IdentifySettings> tolerance_row() {
     return value_row<Tolerance, IdentifySettings>(
         {"tolerance", "NAME=X[,NAME=X]",
-         "How well the channels are known, standard deviations: kappa (relative), skew (deg), "
-         "delay (s), crosstalk (relative), phase-drift (rad over a run), gain-drift (relative, "
-         "over a run); rate (ppm), the recorder's clock; and spread (relative), by which "
-         "recordings of one "
-         "set may differ. 0 is exact; where none is told, u "
-         "assumes " +
+         "How well the channels are known, standard deviations: " +
+             joined(channel_errors, ", ",
+                    [](const ToleratedError& error) {
+                        return std::string(error.name) + " (" + error.amount + ")";
+                    }) +
+             "; rate (ppm), the recorder's clock; and spread (relative), by which recordings of "
+             "one set may differ. 0 is exact; where none is told, u assumes " +
              tolerance_text(assumed()) + ". Units may follow, as in skew=0.1deg,delay=10ns"},
         [](auto& s) -> auto& { return s.tolerance; }, read_tolerance, tolerance_text, any_value);
 }

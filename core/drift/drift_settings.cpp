@@ -38,8 +38,8 @@ Row angle_unit_row() {
 Result<Tolerance> read_pick_offs(const std::string& from) {
     const auto told = TRY(read_tolerance(from));
     Tolerance rest = told;
-    rest.kappa.reset();
-    rest.skew_deg.reset();
+    rest[kappa_error].reset();
+    rest[skew_error].reset();
     if (rest != Tolerance{}) {
         return refused_value("--tolerance", from, "it names kappa and skew");
     }
@@ -73,18 +73,19 @@ const std::vector<SettingRow<DriftSettings>>& drift_settings() {
 
 std::vector<NamedValue> settings_list(const DriftSettings& settings) {
     DriftSettings in_use = settings;
-    const ChannelTolerance usual = usual_pick_offs();
-    in_use.tolerance.kappa = in_use.tolerance.kappa.value_or(usual.kappa);
-    in_use.tolerance.skew_deg =
-        in_use.tolerance.skew_deg.value_or(usual.skew_rad * 180 / std::numbers::pi);
+    for (const ErrorSource source : {kappa_error, skew_error}) {
+        std::optional<double>& told = in_use.tolerance[source];
+        told = told.value_or(assumed_tolerance(source, 1));
+    }
     return listed(drift_settings(), in_use);
 }
 
 ChannelTolerance pick_offs(const Tolerance& tolerance) {
     ChannelTolerance channels = usual_pick_offs();
-    channels.kappa = tolerance.kappa.value_or(channels.kappa);
-    if (tolerance.skew_deg) {
-        channels.skew_rad = *tolerance.skew_deg * std::numbers::pi / 180;
+    channels[kappa_error] = tolerance[kappa_error].value_or(channels[kappa_error]);
+    if (const std::optional<double>& told = tolerance[skew_error]) {
+        // The factor of tolerated_errors would differ in the last digit of what u has been.
+        channels[skew_error] = *told * std::numbers::pi / 180;
     }
     return channels;
 }

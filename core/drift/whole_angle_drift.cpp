@@ -4,7 +4,6 @@
 #include "core/numerics/dense_solvers.h"
 #include "core/numerics/harmonic_terms.h"
 #include "core/numerics/statistics.h"
-#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +92,7 @@ Mean mean_of(const std::vector<const LogDrift*>& logs, const ChannelTolerance& c
         Eigen::VectorXd of_turn;  // its effect on a turn of 1: a fourth harmonic
     };
     std::vector<SeenError> errors;
-    const std::array tolerances{channels.kappa, channels.skew_rad};
+    const std::array tolerances{channels[kappa_error], channels[skew_error]};
     for (Eigen::Index k = 0; k < 2; ++k) {
         const double sd = tolerances[static_cast<std::size_t>(k)];
         if (sd > 0) {
@@ -366,9 +365,9 @@ double WholeAngleDrift::sd_rate(double theta) const {
 }
 
 ChannelTolerance usual_pick_offs() {
-    ChannelTolerance usual;
-    const auto skew = std::ranges::find(usual_errors, skew_error, &UsualError::source);
-    usual.skew_rad = skew->size * std::numbers::pi / 180;
+    ChannelTolerance usual = untold_channels;
+    usual[skew_error] = tolerated_errors[skew_error].factor *
+                        std::ranges::find(usual_errors, skew_error, &UsualError::source)->size;
     return usual;
 }
 

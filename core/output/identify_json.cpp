@@ -82,8 +82,8 @@ Json tolerances_json(const IdentifySettings& settings) {
     Json object = Json::object();
     for (const ToleranceInUse& each :
          tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
-        object[each.parameter.name()] = {
-            {"value", each.value}, {"unit", each.parameter.unit}, {"assumed", each.assumed}};
+        object[each.error.name] = {
+            {"value", each.value}, {"unit", each.error.unit}, {"assumed", each.assumed}};
     }
     return object;
 }
@@ -310,13 +310,14 @@ std::string identify_json(const SetResult& result) {
     const Identification& identification = result.identification;
     const std::vector<RecordingRef>& inputs = result.set.recordings;
     const ResonatorFit& fit = identification.fit;
-    Json json{{"program", result.program},
-              {"inputs", inputs_json(inputs)},
-              {"settings", named_json(settings_list(identification.settings))},
-              {"tolerances", tolerances_json(identification.settings)},
-              {"frequencies_by",
-               identification.settings.tolerance.rate_ppm ? "tolerance" : "clock of the recorder"},
-              {"warnings", warnings_json(identification, inputs)}};
+    Json json{
+        {"program", result.program},
+        {"inputs", inputs_json(inputs)},
+        {"settings", named_json(settings_list(identification.settings))},
+        {"tolerances", tolerances_json(identification.settings)},
+        {"frequencies_by",
+         identification.settings.tolerance[rate_error] ? "tolerance" : "clock of the recorder"},
+        {"warnings", warnings_json(identification, inputs)}};
     if (const auto& comparison = result.comparison) {
         json["passport"] = {{"file", comparison->file},
                             {"sha256", comparison->sha256},

@@ -118,11 +118,11 @@ void spoil(RandomSet& set, std::mt19937_64& random, const ChannelTolerance& tole
         const double v = static_cast<double>(random() >> 11) * 0x1p-53;
         return std::sqrt(-2 * std::log(u)) * std::cos(2 * pi * v);
     };
-    const double skew = tolerance.skew_rad * normal();
-    const double phase = tolerance.phase_rad * normal();
-    const double crosstalk = tolerance.crosstalk * normal();
-    const double phase_drift = tolerance.phase_drift * normal();
-    const double gain_drift = tolerance.gain_drift * normal();
+    const double skew = tolerance[skew_error] * normal();
+    const double phase = tolerance[delay_error] * normal();
+    const double crosstalk = tolerance[crosstalk_error] * normal();
+    const double phase_drift = tolerance[phase_drift_error] * normal();
+    const double gain_drift = tolerance[gain_drift_error] * normal();
     for (PhasorRun& run : set.runs) {
         const double duration = run.time_s.back() + run.window_s / 2;
         for (std::size_t k = 0; k < run.d.size(); ++k) {
@@ -244,8 +244,7 @@ private slots:
                 }
             }
             set.resonator.kappa = 1;
-            const Result<ResonatorFit> fit =
-                fit_resonator(set.runs, {.tolerance = {.kappa = 0}}, {});
+            const Result<ResonatorFit> fit = fit_resonator(set.runs, {.tolerance = {}}, {});
             const std::lock_guard lock(mutex);
             if (fit && fit->model == ResonatorModel::structured) {
                 add(set, *fit, tally);
@@ -272,12 +271,7 @@ private slots:
         QFETCH(bool, told);
         QFETCH(double, phase_rad);
         constexpr int sets = 400;
-        const ChannelTolerance tolerance{.kappa = 0.01,
-                                         .skew_rad = 0.1 * pi / 180,
-                                         .phase_rad = phase_rad,
-                                         .crosstalk = 1e-4,
-                                         .phase_drift = 1e-4,
-                                         .gain_drift = 1e-4};
+        const ChannelTolerance tolerance{0.01, 0.1 * pi / 180, phase_rad, 1e-4, 1e-4, 1e-4};
         Tally tally;
         int free = 0;
         int warned = 0;

@@ -170,14 +170,13 @@ private slots:
         one.truth.delay_d_s = 8e-9;
         one.truth.gain_drift = 1e-4;
         one.truth.phase_drift_rad = -7e-5;
-        one.settings.tolerance = {.kappa = std::nullopt,
-                                  .skew_deg = 0.1,
-                                  .delay_s = 1e-8,
-                                  .crosstalk = 1e-4,
-                                  .phase_drift_rad = 1e-4,
-                                  .gain_drift = 1e-4,
-                                  .rate_ppm = std::nullopt,
-                                  .spread = std::nullopt};
+        for (const auto& [source, size] : {std::pair{skew_error, 0.1},
+                                           {delay_error, 1e-8},
+                                           {crosstalk_error, 1e-4},
+                                           {phase_drift_error, 1e-4},
+                                           {gain_drift_error, 1e-4}}) {
+            one.settings.tolerance[source] = size;
+        }
         row("14: errors of the channels within their tolerances", one);
         one = {};
         one.truth.damping_per_power_per_s = 5e-4;

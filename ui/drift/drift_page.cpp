@@ -25,7 +25,6 @@
 #include <QVBoxLayout>
 
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <type_traits>
 
@@ -126,9 +125,9 @@ DriftPanel::DriftPanel(Document& document, QWidget* parent)
     edits(
         rate_, [](DriftSettings & settings) -> auto& { return settings.open.rate_hz; });
     edits(
-        kappa_, [](DriftSettings & settings) -> auto& { return settings.tolerance.kappa; });
+        kappa_, [](DriftSettings & settings) -> auto& { return settings.tolerance[kappa_error]; });
     edits(
-        skew_, [](DriftSettings & settings) -> auto& { return settings.tolerance.skew_deg; });
+        skew_, [](DriftSettings & settings) -> auto& { return settings.tolerance[skew_error]; });
     connect(&document_.drift(), &DriftStore::changed, this, &DriftPanel::refresh);
     keepTranslated(*this, [this] { retranslate(); });
 }
@@ -224,11 +223,10 @@ void DriftPanel::refresh() {
     show(skip_lines_, text.lines_to_skip);
     show(time_column_, text.time_column);
     rate_->setValue(settings.open.rate_hz);
-    kappa_->setValue(settings.tolerance.kappa);
-    skew_->setValue(settings.tolerance.skew_deg);
-    const ChannelTolerance usual = usual_pick_offs();
-    kappa_->setPlaceholderText(QLocale().toString(usual.kappa));
-    skew_->setPlaceholderText(QLocale().toString(usual.skew_rad * 180 / std::numbers::pi));
+    kappa_->setValue(settings.tolerance[kappa_error]);
+    skew_->setValue(settings.tolerance[skew_error]);
+    kappa_->setPlaceholderText(QLocale().toString(assumed_tolerance(kappa_error, 1)));
+    skew_->setPlaceholderText(QLocale().toString(assumed_tolerance(skew_error, 1)));
 }
 
 void DriftPanel::retranslate() {

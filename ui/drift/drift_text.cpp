@@ -225,8 +225,8 @@ QString channelsText(const ChannelTolerance& channels) {
     return DriftWords::tr(
                "± is the statistical standard deviation. u, where it differs, holds the tolerances "
                "of the channels too: κ ± %1, ε ± %2°.")
-        .arg(shortNumberText(channels.kappa, 3),
-             shortNumberText(channels.skew_rad * 180 / std::numbers::pi, 3));
+        .arg(shortNumberText(channels[kappa_error], 3),
+             shortNumberText(channels[skew_error] / tolerated_errors[skew_error].factor, 3));
 }
 
 }  // namespace vybeg::ui

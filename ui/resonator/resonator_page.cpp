@@ -94,7 +94,7 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
     };
     const auto narrow = [&](Tolerance& tolerance) {
         if (offer == QStringLiteral("kappa") && found.kappa) {
-            tolerance.kappa = found.kappa->uncertainty() / found.kappa->value;
+            tolerance[kappa_error] = found.kappa->uncertainty() / found.kappa->value;
         }
     };
     const RecordingSet* set = document_.sets().current();

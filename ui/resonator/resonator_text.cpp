@@ -65,6 +65,32 @@ void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
     }
 }
 
+// Names of a tolerance and of an error of usual size.
+struct SourceWords {
+    const char* tolerance;
+    const char* usual;
+};
+constexpr std::array<SourceWords, error_sources> source_words{{
+    {QT_TRANSLATE_NOOP("Resonator", "Gain ratio"), QT_TRANSLATE_NOOP("Resonator", "0.001 of κ")},
+    {QT_TRANSLATE_NOOP("Resonator", "Non-orthogonality"),
+     QT_TRANSLATE_NOOP("Resonator", "0.1° of non-orthogonality")},
+    {QT_TRANSLATE_NOOP("Resonator", "Delay"), QT_TRANSLATE_NOOP("Resonator", "10 ns of delay")},
+    {QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
+     QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of crosstalk")},
+    {QT_TRANSLATE_NOOP("Resonator", "Phase drift"),
+     QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift")},
+    {QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
+     QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift")},
+    {QT_TRANSLATE_NOOP("Resonator", "Sample rate"), ""},
+    {QT_TRANSLATE_NOOP("Resonator", "Spread"), ""},
+    {"", QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude")},
+    {"", QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude")},
+    {"", QT_TRANSLATE_NOOP("Resonator", "0.1 % of gain by amplitude")},
+    {"", QT_TRANSLATE_NOOP("Resonator", "10 µHz between the axes by amplitude")},
+    {"", QT_TRANSLATE_NOOP("Resonator", "10⁻⁶ rad/s of the 8th harmonic of drift")},
+}};
+static_assert(source_words.back().usual != nullptr);
+
 // What errors of usual size would change of a parameter: a column of one unit and power of ten, of
 // which the greatest change has three digits.
 struct Changes {
@@ -273,25 +299,10 @@ QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& 
 }
 
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units) {
-    // As usual_errors.
-    static constexpr std::array<const char*, 11> texts{
-        QT_TRANSLATE_NOOP("Resonator", "0.1° of non-orthogonality"),
-        QT_TRANSLATE_NOOP("Resonator", "10 ns of delay"),
-        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ rad of phase drift"),
-        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of gain drift"),
-        QT_TRANSLATE_NOOP("Resonator", "0.001 of κ"),
-        QT_TRANSLATE_NOOP("Resonator", "10⁻⁴ of crosstalk"),
-        QT_TRANSLATE_NOOP("Resonator", "10 µHz by amplitude"),
-        QT_TRANSLATE_NOOP("Resonator", "1 % of damping by amplitude"),
-        QT_TRANSLATE_NOOP("Resonator", "0.1 % of gain by amplitude"),
-        QT_TRANSLATE_NOOP("Resonator", "10 µHz between the axes by amplitude"),
-        QT_TRANSLATE_NOOP("Resonator", "10⁻⁶ rad/s of the 8th harmonic of drift"),
-    };
-    static_assert(texts.size() == usual_errors.size());
     const std::vector<Changes> columns = allChanges(found, units);
     std::vector<QuantityRow> rows;
-    for (std::size_t k = 0; k < texts.size() && !columns.empty(); ++k) {
-        QuantityRow row{ResonatorWords::tr(texts[k]), {}, {}};
+    for (std::size_t k = 0; k < usual_errors.size() && !columns.empty(); ++k) {
+        QuantityRow row{ResonatorWords::tr(source_words[usual_errors[k].source].usual), {}, {}};
         for (const Changes& column : columns) {
             row.cells.push_back(column.cells[k]);
         }
@@ -411,21 +422,10 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
 }
 
 QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
-    // As tolerance_names.
-    static constexpr std::array<const char*, tolerance_names.size()> names{
-        QT_TRANSLATE_NOOP("Resonator", "Gain ratio"),
-        QT_TRANSLATE_NOOP("Resonator", "Non-orthogonality"),
-        QT_TRANSLATE_NOOP("Resonator", "Delay"),
-        QT_TRANSLATE_NOOP("Resonator", "Crosstalk"),
-        QT_TRANSLATE_NOOP("Resonator", "Phase drift"),
-        QT_TRANSLATE_NOOP("Resonator", "Gain drift"),
-        QT_TRANSLATE_NOOP("Resonator", "Sample rate"),
-        QT_TRANSLATE_NOOP("Resonator", "Spread")};
-    static_assert(names.back() != nullptr);
-    const QString name = ResonatorWords::tr(names[static_cast<std::size_t>(source)]);
+    const QString name = ResonatorWords::tr(source_words[source].tolerance);
     const auto used = tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa);
     const bool assumed = std::ranges::any_of(used, [source](const ToleranceInUse& each) {
-        return each.parameter.source == source && each.assumed;
+        return each.error.source == source && each.assumed;
     });
     return assumed ? ResonatorWords::tr("%1 (assumed)").arg(name) : name;
 }
@@ -435,14 +435,13 @@ QStringList toleranceTexts(const IdentifySettings& settings) {
     QStringList texts;
     for (const ToleranceInUse& each :
          tolerances_in_use(settings.tolerance, settings.signal.calibration.kappa)) {
-        const ErrorSource source = each.parameter.source;
-        const bool delay = source == delay_error;
-        const QString number = shortNumberText(each.value * (delay ? 1e9 : 1), digits);
-        const QString unit = source == skew_error ? QStringLiteral("°")
-                             : *each.parameter.unit == '\0'
-                                 ? QString()
-                                 : QLatin1Char(' ') + unitText(delay ? "ns" : each.parameter.unit);
-        texts << QStringLiteral("%1: %2%3").arg(toleranceName(source, settings), number, unit);
+        const ToleratedError& error = each.error;
+        const QString number = shortNumberText(each.value / error.shown, digits);
+        const QString unit = error.source == skew_error ? QStringLiteral("°")
+                             : *error.unit == '\0'      ? QString()
+                                                   : QLatin1Char(' ') + unitText(error.shown_unit);
+        texts
+            << QStringLiteral("%1: %2%3").arg(toleranceName(error.source, settings), number, unit);
     }
     return texts;
 }
@@ -454,7 +453,7 @@ bool anyAssumed(const IdentifySettings& settings) {
 }
 
 QString clockText(const IdentifySettings& settings) {
-    return settings.tolerance.rate_ppm
+    return settings.tolerance[rate_error]
                ? QString()
                : ResonatorWords::tr("Frequencies by the clock of the recorder.");
 }
@@ -473,6 +472,7 @@ QString uncertaintyText(const Identification& found) {
 
 FoundCalibration foundCalibration(const Identification& found) {
     constexpr double certain = 3;
+    const ToleratedError& delay = tolerated_errors[delay_error];
     FoundCalibration other;
     const Calibration& calibrated = found.settings.signal.calibration;
     const Estimate& kappa = found.fit.resonator.kappa;
@@ -485,9 +485,9 @@ FoundCalibration foundCalibration(const Identification& found) {
                                  warning.kind == DiagnosticKind::misfit_channel ||
                                  warning.kind == DiagnosticKind::prior_left;
         if (!other.delay_d_s && of_channels && warning.args.size() > 1 &&
-            warning.args[0].text == tolerance_names[delay_error] && warning.args[1].unit == "ns") {
+            warning.args[0].text == delay.name && warning.args[1].unit == delay.shown_unit) {
             if (const auto late_ns = parse_number(warning.args[1].text)) {
-                other.delay_d_s = calibrated.delay_d_s + *late_ns * 1e-9;
+                other.delay_d_s = calibrated.delay_d_s + *late_ns * delay.shown;
             }
         }
     }

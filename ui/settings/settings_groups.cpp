@@ -434,32 +434,32 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
     addTolerance({QT_TR_NOOP("κ ±"), "",
                   QT_TR_NOOP("How well the gain ratio is known: relative standard deviation."),
                   QT_TR_NOOP("Tolerance of the gain ratio")},
-                 &Tolerance::kappa, 1, 0.001);
+                 kappa_error, 0.001);
     addTolerance({QT_TR_NOOP("Non-orthogonality ε ±"), QT_TR_NOOP("°"),
                   QT_TR_NOOP("Non-orthogonality of the pick-offs: D holds sin ε of C."),
                   QT_TR_NOOP("Tolerance of the non-orthogonality")},
-                 &Tolerance::skew_deg, 1, 0.1);
+                 skew_error, 0.1);
     addTolerance({QT_TR_NOOP("Delay ±"), QT_TR_NOOP("ns"),
                   QT_TR_NOOP("Of D against C, beyond the delay above."),
                   QT_TR_NOOP("Tolerance of the delay")},
-                 &Tolerance::delay_s, 1e-9, 1);
+                 delay_error, 1);
     addTolerance({QT_TR_NOOP("Crosstalk ±"), "",
                   QT_TR_NOOP("Of C into D with its phase turned by 90 degrees, relative."),
                   QT_TR_NOOP("Tolerance of the crosstalk")},
-                 &Tolerance::crosstalk, 1, 1e-4);
+                 crosstalk_error, 1e-4);
     addTolerance({QT_TR_NOOP("Phase drift ±"), QT_TR_NOOP("rad"),
                   QT_TR_NOOP("Of D against C over a recording, in proportion to time."),
                   QT_TR_NOOP("Tolerance of the phase drift")},
-                 &Tolerance::phase_drift_rad, 1, 1e-4);
+                 phase_drift_error, 1e-4);
     addTolerance({QT_TR_NOOP("Gain drift ±"), "",
                   QT_TR_NOOP("Of D against C over a recording, relative, in proportion to time."),
                   QT_TR_NOOP("Tolerance of the gain drift")},
-                 &Tolerance::gain_drift, 1, 1e-4);
+                 gain_drift_error, 1e-4);
     addTolerance({QT_TR_NOOP("Clock ±"), QT_TR_NOOP("ppm"),
                   QT_TR_NOOP("Of the recorder's sample rate, for absolute frequencies and decay "
                              "times."),
                   QT_TR_NOOP("Tolerance of the sample rate")},
-                 &Tolerance::rate_ppm, 1, 1);
+                 rate_error, 1);
     addTolerance(
         {QT_TR_NOOP("Spread ±"), "",
          QT_TR_NOOP(
@@ -467,36 +467,34 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
              "it, of the gain ratio a tenth of it. Empty: what two or three recordings cannot "
              "show."),
          QT_TR_NOOP("Tolerance of the spread between recordings")},
-        &Tolerance::spread, 1, 1e-3);
+        spread_error, 1e-3);
     begin();
 }
 
 QString CalibrationFields::summary() const {
     const double kappa = state().settings.calibration.kappa;
-    const auto tolerance = [&](const std::optional<double>& told, ErrorSource source) {
-        return QLocale().toString(told.value_or(assumed_tolerance(source, kappa)), 'g', 3);
+    const auto tolerance = [&](ErrorSource source) {
+        return QLocale().toString(
+            state().tolerance[source].value_or(assumed_tolerance(source, kappa)), 'g', 3);
     };
     return QStringLiteral("κ %1 ± %2, ε ± %3°")
-        .arg(QLocale().toString(kappa, 'g', 6), tolerance(state().tolerance.kappa, kappa_error),
-             tolerance(state().tolerance.skew_deg, skew_error));
+        .arg(QLocale().toString(kappa, 'g', 6), tolerance(kappa_error), tolerance(skew_error));
 }
 
-void CalibrationFields::addTolerance(const Texts& texts, std::optional<double> Tolerance::*member,
-                                     double scale, double step) {
+void CalibrationFields::addTolerance(const Texts& texts, ErrorSource source, double step) {
+    const double scale = tolerated_errors[source].shown;
     NumberField* field = addField(texts, tolerance_bounds, scale);
     field->setOptional(true);
     field->setStep(step);
-    connect(field, &NumberField::valueEdited, this, [this, member, scale](auto value) {
+    connect(field, &NumberField::valueEdited, this, [this, source, scale](auto value) {
         Tolerance tolerance = state().tolerance;
-        tolerance.*member = value ? std::optional(*value * scale) : std::nullopt;
+        tolerance[source] = value ? std::optional(*value * scale) : std::nullopt;
         emit toleranceEdited(tolerance);
     });
-    const ErrorSource source =
-        std::ranges::find(tolerance_parameters, member, &ToleranceParameter::member)->source;
-    whenShown([this, field, member, scale, source] {
-        const std::optional<double>& told = state().tolerance.*member;
+    whenShown([this, field, source, scale] {
+        const std::optional<double>& told = state().tolerance[source];
         field->setValue(told ? std::optional(*told / scale) : std::nullopt);
-        const bool none = source == rate_error || source == spread_error;
+        const bool none = source >= channel_error_count;
         const double assumed =
             assumed_tolerance(source, state().settings.calibration.kappa) / scale;
         field->setPlaceholderText(none ? QString() : QLocale().toString(assumed));

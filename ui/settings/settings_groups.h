@@ -106,9 +106,7 @@ signals:
     void toleranceEdited(const Tolerance& tolerance);
 
 private:
-    // In units of `scale`.
-    void addTolerance(const Texts& texts, std::optional<double> Tolerance::*member, double scale,
-                      double step);
+    void addTolerance(const Texts& texts, ErrorSource source, double step);
 };
 
 }  // namespace vybeg::ui

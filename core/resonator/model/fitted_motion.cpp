@@ -28,7 +28,7 @@ std::vector<Phasors> predicted_phasors(const FittedMotion& motion, std::size_t r
 std::vector<Phasors> predicted_waves(const FittedMotion& motion, std::size_t run,
                                      const std::vector<double>& time_s) {
     Eigen::VectorXd ideal = motion.shared;
-    for (const ChannelError& error : channel_errors) {
+    for (const ToleratedError& error : channel_errors) {
         ideal[error.parameter] = 0;
     }
     ideal[kappa_at] = 1;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -31,6 +32,13 @@ enum SharedParameter : int {
     shared_count
 };
 inline constexpr int rate_count = decay_at + 1;
+
+// Their names in results.
+inline constexpr auto shared_names = std::to_array<const char*>(
+    {"split_cos4_hz", "split_sin4_hz", "damping_cos4_per_s", "damping_sin4_per_s", "rotation_per_s",
+     "skew_per_s", "decay_per_s", "kappa", "non_orthogonality_rad", "phase_rad", "crosstalk",
+     "phase_drift_rad", "gain_drift", "frequency_per_power"});
+static_assert(shared_names.size() == shared_count);
 
 // A run's own parameters; after them those of each break of the run (phasor_model.h).
 enum OwnParameter : int {

@@ -13,7 +13,7 @@ Priors flat_priors(std::span<const ScaledRun> runs, const ParameterLayout& layou
     Priors priors{Eigen::VectorXd::Zero(layout.size()),
                   Eigen::VectorXd::Constant(layout.size(), flat)};
     priors.mean[kappa_at] = 1;
-    for (const ChannelError& error : channel_errors) {
+    for (const ToleratedError& error : channel_errors) {
         priors.sd[error.parameter] = 0;
     }
     priors.sd[cubic_at] = priors.sd[free_rotation_at] = 0;
@@ -36,7 +36,7 @@ std::vector<Eigen::Index> Priors::active() const {
 }
 
 PriorKind prior_kind(const ParameterLayout& layout, Eigen::Index parameter) {
-    if (std::ranges::find(channel_errors, parameter, &ChannelError::parameter) !=
+    if (std::ranges::find(channel_errors, parameter, &ToleratedError::parameter) !=
         channel_errors.end()) {
         return PriorKind::channel;
     }
@@ -53,8 +53,8 @@ Priors structured_priors(std::span<const ScaledRun> runs, const ParameterLayout&
     priors.sd[split_cos_at] = priors.sd[split_sin_at] = 3;
     priors.sd[damping_cos_at] = priors.sd[damping_sin_at] = 1;
     priors.sd[rotation_at] = 3;
-    for (const ChannelError& error : channel_errors) {
-        priors.sd[error.parameter] = tolerance.*error.tolerance;
+    for (const ToleratedError& error : channel_errors) {
+        priors.sd[error.parameter] = tolerance[error.source];
     }
     return priors;
 }

@@ -34,8 +34,8 @@ double chance_of(double rest, std::size_t n) {
     return std::pow(rest, half) / (half * beta * std::sqrt(std::max(1 - rest, 1e-6)));
 }
 
-const ChannelError& error_of(SharedParameter parameter) {
-    return *std::ranges::find(channel_errors, parameter, &ChannelError::parameter);
+const ToleratedError& error_of(SharedParameter parameter) {
+    return *std::ranges::find(channel_errors, parameter, &ToleratedError::parameter);
 }
 
 // A ratio a_B/a_A at the start of a recording.
@@ -105,15 +105,15 @@ public:
     }
 
 private:
-    double tolerance_of(const ChannelError& error) const { return set_.tolerance.*error.tolerance; }
+    double tolerance_of(const ToleratedError& error) const { return set_.tolerance[error.source]; }
 
     // An error of the channels with its size.
-    void add(DiagnosticKind kind, const ChannelError& error, double size) {
+    void add(DiagnosticKind kind, const ToleratedError& error, double size) {
         found_.push_back({kind, named_error(error, size, f_ref_hz_)});
     }
 
     void add_left_priors() {
-        for (const ChannelError& error : channel_errors) {
+        for (const ToleratedError& error : channel_errors) {
             const Eigen::Index place = posterior_.place_of(error.parameter);
             if (place < 0) {
                 continue;
@@ -132,8 +132,8 @@ private:
     // The error held at zero that leaves its assumed tolerance by most if all of them are opened,
     // each with its tolerance: alone each imitates the others.
     void add_held() {
-        std::vector<ChannelError> held;
-        for (const ChannelError& error : channel_errors) {
+        std::vector<ToleratedError> held;
+        for (const ToleratedError& error : channel_errors) {
             if (problem_.priors.sd[error.parameter] == 0 && tolerance_of(error) > 0) {
                 held.push_back(error);
             }
@@ -146,7 +146,7 @@ private:
         for (const Linearised& run : posterior_.runs) {
             Eigen::MatrixXd by(run.by_parameter.rows(), count);
             for (Eigen::Index k = 0; k < count; ++k) {
-                const ChannelError& error = held[static_cast<std::size_t>(k)];
+                const ToleratedError& error = held[static_cast<std::size_t>(k)];
                 by.col(k) = tolerance_of(error) * run.by_parameter.col(error.parameter);
             }
             effect.push_back(std::move(by));
@@ -157,7 +157,7 @@ private:
             (Eigen::MatrixXd::Identity(count, count) + free.inverse).ldlt().solve(free.size);
         Eigen::Index most = 0;
         if (size.cwiseAbs().maxCoeff(&most) > most_tolerances) {
-            const ChannelError& error = held[static_cast<std::size_t>(most)];
+            const ToleratedError& error = held[static_cast<std::size_t>(most)];
             add(DiagnosticKind::misfit_channel, error, size[most] * tolerance_of(error));
         }
     }
@@ -185,14 +185,14 @@ private:
     }
 
     // Rotation (rad/s) that an error of one tolerance looks like.
-    double rotation_by(const ChannelError& error) const {
+    double rotation_by(const ToleratedError& error) const {
         return set_.variances.gradient.row(angle_rate_of)
             .dot(set_.moved.col(&error - channel_errors.data()));
     }
 
     // Share of the rotation that an error does not explain, at most 1: that its size by the
     // quadratures fits the rotation is chance as often as this.
-    double left_of_rotation(const ChannelError& error, double tolerances) const {
+    double left_of_rotation(const ToleratedError& error, double tolerances) const {
         const double by_error = tolerances * rotation_by(error);
         return rotation_.given() && by_error != 0
                    ? std::min(1.0, std::abs(rotation_.value / by_error - 1))
@@ -211,7 +211,7 @@ private:
             all, [](double two_theta) { return -std::cos(two_theta) * std::cos(two_theta); });
         const bool is_phase = phase.chance <= crosstalk.chance;
         const Followed& found = is_phase ? phase : crosstalk;
-        const ChannelError& error = error_of(is_phase ? phase_at : crosstalk_at);
+        const ToleratedError& error = error_of(is_phase ? phase_at : crosstalk_at);
         const double tolerances = found.size / tolerance_of(error);
         // The better one of two shapes, and with the rotation the product of two probabilities,
         // which is below q with the probability q (1 - ln q).
@@ -229,7 +229,7 @@ private:
     // A rotation that neither the Earth nor the delay's tolerance makes is one of the base, or a
     // larger delay of a channel, which the motion does not show.
     void add_rotation() {
-        const ChannelError& error = error_of(phase_at);
+        const ToleratedError& error = error_of(phase_at);
         const double assumed = tolerance_of(error);
         if (!(assumed > 0) || !rotation_.given() ||
             !(std::abs(rotation_.value) - most_tolerances * rotation_.uncertainty() >
@@ -264,20 +264,13 @@ private:
 
 }  // namespace
 
-std::vector<MessageArg> named_error(const ChannelError& error, double size, double f_ref_hz) {
-    double unit = 1;
-    const char* name = "";
-    switch (error.source) {
-        case skew_error: unit = 180 / pi, name = "deg"; break;
-        case delay_error:
-            // Of a log without a phase the frequency is unknown.
-            unit = f_ref_hz > 0 ? -1e9 / (2 * pi * f_ref_hz) : -1;
-            name = f_ref_hz > 0 ? "ns" : "rad";
-            break;
-        case phase_drift_error: name = "rad"; break;
-        default: break;
+std::vector<MessageArg> named_error(const ToleratedError& error, double size, double f_ref_hz) {
+    // Of a log without a phase the frequency is unknown.
+    if (error.source == delay_error && !(f_ref_hz > 0)) {
+        return {error.name, number_arg(-size, 2, "rad")};
     }
-    return {tolerance_names[error.source], number_arg(size * unit, 2, name)};
+    return {error.name,
+            number_arg(size / error.per_unit(f_ref_hz) / error.shown, 2, error.shown_unit)};
 }
 
 std::vector<Diagnostic> channel_findings(const FittedSet& set, const ResonatorFit& fit,

@@ -8,7 +8,7 @@
 namespace vybeg {
 
 // Arguments of a warning about a channel error: its name and its size in the parameter's unit.
-std::vector<MessageArg> named_error(const ChannelError& error, double size, double f_ref_hz);
+std::vector<MessageArg> named_error(const ToleratedError& error, double size, double f_ref_hz);
 
 // Warnings about the channels of a structured fit, each for errors of more than three tolerances:
 // - an error that the fit has moved from its prior by more (prior_left);

@@ -21,11 +21,6 @@
 namespace vybeg {
 namespace {
 
-constexpr auto shared_names = std::to_array<const char*>(
-    {"split_cos4_hz", "split_sin4_hz", "damping_cos4_per_s", "damping_sin4_per_s", "rotation_per_s",
-     "skew_per_s", "decay_per_s", "kappa", "non_orthogonality_rad", "phase_rad", "crosstalk",
-     "phase_drift_rad", "gain_drift", "frequency_per_power"});
-static_assert(shared_names.size() == shared_count);
 constexpr std::array<const char*, own_count> own_names{"c_re", "c_im", "d_re",
                                                        "d_im", "f_hz", "drift_hz_per_s"};
 
@@ -109,9 +104,10 @@ public:
             // The channels of the free model are any two projections; only their drifts falsify it.
             // But the amplitudes and the angle of a wave are those of calibrated channels.
             const ReportedVariances calibrated = std::move(set_.variances);
-            set_.tolerance = {.kappa = 0,
-                              .phase_drift = set_.tolerance.phase_drift,
-                              .gain_drift = set_.tolerance.gain_drift};
+            const ChannelTolerance all = std::exchange(set_.tolerance, {});
+            for (const ErrorSource drift : drift_errors) {
+                set_.tolerance[drift] = all[drift];
+            }
             take_variances();
             for (std::size_t run = 0; run < set_.runs.size(); ++run) {
                 for (const int of : {a_A_of, a_B_of, two_theta_of}) {
@@ -233,7 +229,7 @@ private:
         const Estimate tau = decay_time({envelope.per_s, sd, {}, sd});
         q = tau.given() ? Estimate{factor * tau.value, factor * tau.sd, {}} : tau;
         // A gain of D that drifts changes the envelope alone.
-        const double by_channel = set_.tolerance.gain_drift / problem_.runs[run].duration_s;
+        const double by_channel = set_.tolerance[gain_drift_error] / problem_.runs[run].duration_s;
         if (std::abs(envelope.per_s - envelope.model_per_s) > 4 * std::hypot(sd, by_channel)) {
             fit_.warnings.push_back({DiagnosticKind::q_disagrees,
                                      {recording_arg(run), number_arg(factor / envelope.per_s, 4),

@@ -10,9 +10,9 @@ namespace vybeg {
 struct FitOptions {
     enum class Model { automatic, structured, free };
     Model model = Model::automatic;
-    ChannelTolerance tolerance{};  // priors of the fit
+    ChannelTolerance tolerance = untold_channels;  // priors of the fit
     // Of errors without a tolerance, which the fit holds at zero: their part of u.
-    ChannelTolerance assumed{.kappa = 0};
+    ChannelTolerance assumed{};
     // Between the runs of a set, in u: relative sd of 1/tau (that of the split and of the gain
     // ratio follow, largest_spread()). None: what two or three runs cannot show is assumed.
     std::optional<double> spread = 0;
@@ -20,9 +20,9 @@ struct FitOptions {
 
 // The options with the assumed tolerances as priors of the fit.
 inline FitOptions with_assumed(FitOptions options) {
-    for (const ChannelError& error : channel_errors) {
-        double& size = options.tolerance.*error.tolerance;
-        size = size > 0 ? size : options.assumed.*error.tolerance;
+    for (const ToleratedError& error : channel_errors) {
+        double& size = options.tolerance[error.source];
+        size = size > 0 ? size : options.assumed[error.source];
     }
     return options;
 }

@@ -180,7 +180,7 @@ Places places_of(const FittedSet& set) {
              {angle_rate_of, 1},
              {kappa_of, 1},
              {skew_of, 1},
-             {phase_of, -1 / (2 * pi * f_ref_hz)},
+             {phase_of, 1 / tolerated_errors[delay_error].per_unit(f_ref_hz)},
              {cubic_of, 1 / (set.scale * set.scale)}}};
 }
 
@@ -282,12 +282,12 @@ Eigen::MatrixXd moved_by(const FittedSet& set) {
     Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(static_cast<Index>(set.posterior.active.size()),
                                                   errors + std::ssize(drift_errors));
     for (std::size_t k = 0; k < channel_errors.size(); ++k) {
-        const double size = set.tolerance.*channel_errors[k].tolerance;
+        const double size = set.tolerance[channel_errors[k].source];
         if (size > 0) {
             moved.col(static_cast<Index>(k)) = size * wrong_by(set, channel_errors[k].parameter);
         }
     }
-    const Eigen::Vector2d drifts(set.tolerance.phase_drift, set.tolerance.gain_drift);
+    const Eigen::Vector2d drifts(set.tolerance[phase_drift_error], set.tolerance[gain_drift_error]);
     if (!drifts.isZero(0)) {
         moved.rightCols<2>() =
             followed(*set.problem, set.posterior, drift_effect(*set.problem, set.posterior)) *
@@ -335,11 +335,9 @@ WrongBySource wrong_by_source(const FittedSet& set) {
         }
     }
     WrongBySource wrong;
-    for (const ChannelError& error : channel_errors) {
-        wrong[error.source] = wrong_by(set, error.parameter);
+    for (const ToleratedError& error : channel_errors) {
+        wrong[error.source] = error.per_unit(set.mean_f_ref_hz()) * wrong_by(set, error.parameter);
     }
-    wrong[skew_error] *= pi / 180;
-    wrong[delay_error] *= -2 * pi * set.mean_f_ref_hz();
     const auto effect = [&](ErrorSource source, const Effect& of, double unit) {
         wrong[source] = unit * followed(problem, set.posterior, of);
     };

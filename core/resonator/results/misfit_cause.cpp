@@ -307,7 +307,7 @@ std::optional<MisfitCause> misfit_cause(const FittedSet& set, const Posterior& p
     };
     // In the free model the channels are any two projections.
     const bool structured = problem.priors.sd[free_rotation_at] == 0;
-    for (const ChannelError& error : channel_errors) {
+    for (const ToleratedError& error : channel_errors) {
         const bool held = problem.priors.sd[error.parameter] == 0 && error.source != kappa_error;
         if (structured && held) {
             const Score found = parameter_score(problem, posterior, error.parameter);

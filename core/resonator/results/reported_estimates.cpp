@@ -207,7 +207,8 @@ private:
                 : number(angle_rate_of);
         out.kappa = channel(kappa_of, kappa_at, 1);
         out.non_orthogonality_rad = channel(skew_of, skew_at, 1);
-        out.delay_s = channel(phase_of, phase_at, -1 / (2 * pi * f_ref_hz_));
+        out.delay_s =
+            channel(phase_of, phase_at, 1 / tolerated_errors[delay_error].per_unit(f_ref_hz_));
         const double power_unit = 1 / (set_.scale * set_.scale);
         // An open term may lose its support to what the fit found after it.
         const bool open = set_.problem->priors.sd[cubic_at] > 0;
@@ -388,8 +389,8 @@ private:
         const Eigen::MatrixXd drifted = set_.moved(rows, Eigen::lastN(std::ssize(drift_errors)));
         terms.spread = scattered * scattered.transpose() + drifted * drifted.transpose();
         for (std::size_t k = 0; k < channel_errors.size(); ++k) {
-            const ChannelError& error = channel_errors[k];
-            const double size = set_.tolerance.*error.tolerance;
+            const ToleratedError& error = channel_errors[k];
+            const double size = set_.tolerance[error.source];
             if (size > 0) {
                 const Eigen::VectorXd moved = set_.moved.col(static_cast<Index>(k));
                 terms.tolerated.push_back({moved(rows), motion_with(error.parameter, size, moved)});

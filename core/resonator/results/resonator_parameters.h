@@ -84,30 +84,6 @@ inline constexpr std::array<WaveParameter, 4> wave_parameters{{
     {"quadrature_rate_per_s", "1/s", &WaveMotion::quadrature_rate_per_s},
 }};
 
-// An error of a usual size, for the table of sensitivities; where no tolerance of the channels is
-// stated, that size is assumed (kappa: 0.01). Effects of the amplitude refer to the largest one.
-struct UsualError {
-    ErrorSource source;
-    const char* name;
-    const char* key;     // of its sensitivity in JSON
-    const char* amount;  // as text, with its unit
-    double size;         // in the unit of the sensitivity
-};
-
-inline constexpr std::array<UsualError, 11> usual_errors{{
-    {skew_error, "skew", "skew_deg", "0.1 deg", 0.1},
-    {delay_error, "delay", "delay_s", "10 ns", 1e-8},
-    {phase_drift_error, "phase drift", "phase_drift_rad", "1e-4 rad", 1e-4},
-    {gain_drift_error, "gain drift", "gain_drift", "1e-4", 1e-4},
-    {kappa_error, "kappa", "kappa", "0.001", 1e-3},
-    {crosstalk_error, "crosstalk", "crosstalk", "1e-4", 1e-4},
-    {cubic_error, "cubic", "cubic_hz", "10 uHz", 1e-5},
-    {damping_error, "damping", "damping_share", "1 %", 1e-2},
-    {pickoff_error, "pick-offs", "pickoff_share", "0.1 %", 1e-3},
-    {springs_error, "springs", "springs_hz", "10 uHz", 1e-5},
-    {eighth_error, "harmonic 8", "eighth_rad_s", "1e-6 rad/s", 1e-6},
-}};
-
 // Coverage factor of an expanded uncertainty: about 95 % of a normal distribution (GUM 6.2).
 inline constexpr double coverage_factor = 2;
 

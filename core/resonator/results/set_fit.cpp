@@ -184,7 +184,7 @@ bool SetFit::is_white() const {
 bool SetFit::has_usual_channels() const {
     constexpr double most_tolerances = 3;
     const Priors& priors = problem_.priors;
-    return std::ranges::all_of(channel_errors, [&](const ChannelError& error) {
+    return std::ranges::all_of(channel_errors, [&](const ToleratedError& error) {
         const double off = set_.fit.p[error.parameter] - priors.mean[error.parameter];
         return std::abs(off) <= most_tolerances * priors.sd[error.parameter];
     });
@@ -201,8 +201,8 @@ bool SetFit::may_be_explained_by(const ChannelTolerance& tolerance) const {
         return true;
     }
     FitProblem open = problem_;
-    for (const ChannelError& error : channel_errors) {
-        open.priors.sd[error.parameter] = tolerance.*error.tolerance;
+    for (const ToleratedError& error : channel_errors) {
+        open.priors.sd[error.parameter] = tolerance[error.source];
     }
     const MapFit fit = minimise(open, set_.fit.p, own_steps, task_.job);
     return fit.chi2 < near * noise_limit(degrees_of_freedom(open));
@@ -349,7 +349,7 @@ bool SetFit::is_of_free_runs() const {
 MapFit SetFit::fit_freely(FitProblem& free) const {
     free.priors = free_priors(problem_.runs, problem_.layout);
     Eigen::VectorXd start = set_.fit.p;
-    for (const ChannelError& error : channel_errors) {
+    for (const ToleratedError& error : channel_errors) {
         start[error.parameter] = free.priors.mean[error.parameter];
     }
     start[cubic_at] = 0;

@@ -52,8 +52,8 @@ StructuredVerdict judge(const FitProblem& problem, const MapFit& main, const Map
     }
     narrow.damping_share = damping_width;
     Priors& priors = narrow.priors;
-    priors.sd[kappa_at] = std::max(kappa_width, tolerance.kappa);
-    priors.sd[skew_at] = std::max(skew_width, tolerance.skew_rad);
+    priors.sd[kappa_at] = std::max(kappa_width, tolerance[kappa_error]);
+    priors.sd[skew_at] = std::max(skew_width, tolerance[skew_error]);
     set_damping(priors, damping_width * decay);
     priors.sd[rotation_at] = rotation_width;
 

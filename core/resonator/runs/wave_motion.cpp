@@ -417,19 +417,19 @@ constexpr std::array numbers{&WaveMotion::f_hz, &WaveMotion::theta_rate_rad_s,
 
 // The run with one more error of its D, by the channels of phasor_model.h.
 // `of_c`: C drifts in place of D.
-PhasorRun with_error(const PhasorRun& run, double ChannelTolerance::*error, double size,
-                     bool of_c) {
-    ChannelTolerance one{.kappa = 0};
-    one.*error = size;
+PhasorRun with_error(const PhasorRun& run, ErrorSource error, double size, bool of_c) {
+    ChannelTolerance one{};
+    one[error] = size;
     PhasorRun with = run;
     for (std::size_t k = 0; k < run.d.size(); ++k) {
         const double x = run.time_s[k] / (run.time_s.back() + run.window_s / 2);
-        const Complex gain = (1 + one.gain_drift * x) / (1 + one.kappa) *
-                             std::polar(1.0, one.phase_rad + one.phase_drift * x);
+        const Complex gain = (1 + one[gain_drift_error] * x) / (1 + one[kappa_error]) *
+                             std::polar(1.0, one[delay_error] + one[phase_drift_error] * x);
         Complex c = run.c[k];
         Complex& d = with.d[k];
         turn_channels(-run.two_theta_zero, c, d);
-        d = (of_c ? Complex(1) : gain) * d + Complex(std::sin(one.skew_rad), one.crosstalk) * c;
+        d = (of_c ? Complex(1) : gain) * d +
+            Complex(std::sin(one[skew_error]), one[crosstalk_error]) * c;
         c *= of_c ? gain : Complex(1);
         turn_channels(run.two_theta_zero, c, d);
         with.c[k] = c;
@@ -443,8 +443,8 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                        const JobControl& job) {
     WaveMotion found = motion_with(run, true, job);
     std::array<double, numbers.size()> variance{};
-    for (const ChannelError& error : channel_errors) {
-        const double size = tolerance.*error.tolerance;
+    for (const ToleratedError& error : channel_errors) {
+        const double size = tolerance[error.source];
         if (size == 0 || job.cancelled()) {
             continue;
         }
@@ -454,7 +454,7 @@ WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance,
                 continue;
             }
             const WaveMotion moved =
-                motion_with(with_error(run, error.tolerance, size, of_c), false, job);
+                motion_with(with_error(run, error.source, size, of_c), false, job);
             for (std::size_t k = 0; k < numbers.size(); ++k) {
                 const double change = (moved.*numbers[k]).value - (found.*numbers[k]).value;
                 variance[k] += std::isfinite(change) ? change * change : 0;

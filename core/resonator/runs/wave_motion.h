@@ -33,7 +33,7 @@ struct WaveMotion {
 // independent. Reasons: too_few_windows (fewer than eight windows count), circular_wave (angle and
 // quadrature; the angle also where the wave passes so near the circular state that the sense of its
 // turn is unknown), those of decay_time(). Precondition: the vectors of a run have one length.
-WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance = {.kappa = 0},
+WaveMotion wave_motion(const PhasorRun& run, const ChannelTolerance& tolerance = {},
                        const JobControl& job = {});
 
 }  // namespace vybeg

@@ -34,9 +34,7 @@ std::vector<Recording> runs_at(std::initializer_list<double> two_theta_A) {
 // Channels without any error: no tolerance is assumed.
 IdentifySettings exact_channels() {
     IdentifySettings settings;
-    for (const ToleranceParameter& parameter : tolerance_parameters) {
-        settings.tolerance.*parameter.member = 0;
-    }
+    settings.tolerance.fill(0);
     return settings;
 }
 
@@ -86,7 +84,7 @@ private slots:
         IdentifySettings settings = exact_channels();
         const Result<Identification> exact = identify(runs, settings, {});
         const Result<Identification> silent = identify(runs, {}, {});
-        settings.tolerance.rate_ppm = 10;
+        settings.tolerance[rate_error] = 10;
         const Result<Identification> clocked = identify(runs, settings, {});
         QVERIFY(exact && silent && clocked);
         const ResonatorEstimate& none = exact->fit.resonator;
@@ -128,8 +126,8 @@ private slots:
         runs[1].rate_relative_sd = 1e-5;
         IdentifySettings settings;
         settings.signal.calibration.kappa = 0.98;
-        settings.tolerance.kappa = 0.1;
-        settings.tolerance.skew_deg = 0.01;
+        settings.tolerance[kappa_error] = 0.1;
+        settings.tolerance[skew_error] = 0.01;
         const Result<Identification> found = identify(runs, settings, {});
         QVERIFY(found);
         const auto budget = uncertainty_budget(found->fit);
@@ -179,8 +177,8 @@ private slots:
             runs.push_back(simulated_recording(decay));
         }
         IdentifySettings settings;
-        settings.tolerance.kappa = 0.05;
-        settings.tolerance.skew_deg = 1;
+        settings.tolerance[kappa_error] = 0.05;
+        settings.tolerance[skew_error] = 1;
         const Result<Identification> plain = identify(runs, settings, {});
         settings.signal.calibration.angle_zero_deg = angle_zero_deg;
         const Result<Identification> turned = identify(runs, settings, {});
@@ -213,7 +211,7 @@ private slots:
         const std::vector<Recording> runs = two_runs();
         IdentifySettings settings = exact_channels();
         const Result<Identification> exact = identify(runs, settings, {});
-        settings.tolerance.kappa.reset();
+        settings.tolerance[kappa_error].reset();
         const Result<Identification> usual = identify(runs, settings, {});
         QVERIFY(usual && exact);
         for (std::size_t k = 0; k < runs.size(); ++k) {

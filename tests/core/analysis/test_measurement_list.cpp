@@ -86,8 +86,8 @@ private slots:
         QCOMPARE(set.name, "A");
         QCOMPARE(set.settings.signal.from_s, std::optional(0.5));
         QVERIFY(set.settings.of_recordings.empty());
-        QCOMPARE(set.settings.tolerance.skew_deg.value_or(-1), 0.1);
-        QCOMPARE(set.settings.tolerance.delay_s.value_or(-1), 1e-8);
+        QCOMPARE(set.settings.tolerance[skew_error].value_or(-1), 0.1);
+        QCOMPARE(set.settings.tolerance[delay_error].value_or(-1), 1e-8);
         const RecordingRef& recording = set.recordings[0];
         QCOMPARE(recording.file, "runs/a.wav");
         QCOMPARE(QString::fromStdString(recording.path.string()), folder_.filePath("runs/a.wav"));

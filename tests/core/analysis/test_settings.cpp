@@ -47,7 +47,7 @@ IdentifySettings all_of_identification_changed() {
     s.signal = all_changed();
     s.windows = {.window = 500, .periods = 80.5, .snap = true};
     s.model = FitOptions::Model::free;
-    s.tolerance.skew_deg = 0.1;
+    s.tolerance[skew_error] = 0.1;
     s.threads = 3;
     s.logs.names = "Xc=3,Yc=4,Xd=5,Yd=6";
     s.logs.rad_per_angle_unit = std::numbers::pi / 180;

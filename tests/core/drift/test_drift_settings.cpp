@@ -60,13 +60,13 @@ private slots:
     void what_is_not_told_is_usual() {
         const ChannelTolerance usual = pick_offs({});
         QVERIFY(usual == usual_pick_offs());
-        VYBEG_CLOSE(usual.kappa, 0.01, 1e-15);
-        VYBEG_CLOSE(usual.skew_rad, 0.1 * std::numbers::pi / 180, 1e-15);
+        VYBEG_CLOSE(usual[kappa_error], 0.01, 1e-15);
+        VYBEG_CLOSE(usual[skew_error], 0.1 * std::numbers::pi / 180, 1e-15);
         Tolerance told;
-        told.kappa = 0;
-        told.skew_deg = 0.5;
-        QCOMPARE(pick_offs(told).kappa, 0.0);
-        VYBEG_CLOSE(pick_offs(told).skew_rad, 0.5 * std::numbers::pi / 180, 1e-15);
+        told[kappa_error] = 0;
+        told[skew_error] = 0.5;
+        QCOMPARE(pick_offs(told)[kappa_error], 0.0);
+        VYBEG_CLOSE(pick_offs(told)[skew_error], 0.5 * std::numbers::pi / 180, 1e-15);
     }
 
     void what_cannot_be_is_refused_by_name() {

@@ -33,7 +33,7 @@ HeldLoop loop_of() {
     return loop;
 }
 
-constexpr ChannelTolerance exact{.kappa = 0};
+constexpr ChannelTolerance exact{};
 
 WholeAngleDrift drift_of(const std::vector<WholeAngleLog>& logs,
                          const ChannelTolerance& channels = exact) {

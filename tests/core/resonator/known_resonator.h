@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vybeg::test {
@@ -45,22 +47,33 @@ inline FreeDecay reference() {
     return decay;
 }
 
+// The others zero.
+constexpr ChannelTolerance channels(std::initializer_list<std::pair<ErrorSource, double>> errors) {
+    ChannelTolerance sizes{};
+    for (const auto& [source, size] : errors) {
+        sizes[source] = size;
+    }
+    return sizes;
+}
+
 // 10 ns at 5300 Hz, 0.1 degrees, 1e-4.
-inline const FitOptions assuming{.assumed = {.kappa = 0.01,
-                                             .skew_rad = 0.1 * std::numbers::pi / 180,
-                                             .phase_rad = 3.3e-4,
-                                             .crosstalk = 1e-4,
-                                             .phase_drift = 1e-4,
-                                             .gain_drift = 1e-4}};
+inline constexpr FitOptions assuming{.assumed =
+                                         channels({{kappa_error, 0.01},
+                                                   {skew_error, 0.1 * std::numbers::pi / 180},
+                                                   {delay_error, 3.3e-4},
+                                                   {crosstalk_error, 1e-4},
+                                                   {phase_drift_error, 1e-4},
+                                                   {gain_drift_error, 1e-4}})};
 
 // D with errors of these sizes.
 inline void spoil(std::vector<PhasorRun>& runs, const ChannelTolerance& size) {
     for (PhasorRun& run : runs) {
         for (std::size_t k = 0; k < run.d.size(); ++k) {
             const double share = run.time_s[k] / run.time_s.back();
-            const double gain = (1 + size.gain_drift * share) / (1 + size.kappa);
-            run.d[k] = run.d[k] * std::polar(gain, size.phase_rad + size.phase_drift * share) +
-                       std::complex(std::sin(size.skew_rad), size.crosstalk) * run.c[k];
+            const double gain = (1 + size[gain_drift_error] * share) / (1 + size[kappa_error]);
+            const double phase = size[delay_error] + size[phase_drift_error] * share;
+            run.d[k] = run.d[k] * std::polar(gain, phase) +
+                       std::complex(std::sin(size[skew_error]), size[crosstalk_error]) * run.c[k];
         }
     }
 }
@@ -68,10 +81,9 @@ inline void spoil(std::vector<PhasorRun>& runs, const ChannelTolerance& size) {
 // Errors drawn from tolerances, normal up to two and a half of them.
 inline ChannelTolerance drawn_from(const ChannelTolerance& tolerance, std::uint64_t seed) {
     GaussianNoise random(seed);
-    ChannelTolerance size;
-    for (const ChannelError& error : channel_errors) {
-        size.*error.tolerance =
-            tolerance.*error.tolerance * std::clamp(random.next().first, -2.5, 2.5);
+    ChannelTolerance size{};
+    for (const ToleratedError& error : channel_errors) {
+        size[error.source] = tolerance[error.source] * std::clamp(random.next().first, -2.5, 2.5);
     }
     return size;
 }

@@ -111,7 +111,7 @@ inline std::vector<PowerRun> set_of(const Resonator& of, int runs, double second
 
 inline FitOptions known_channels() {
     FitOptions options;
-    options.tolerance.kappa = 0;
+    options.tolerance[kappa_error] = 0;
     return options;
 }
 

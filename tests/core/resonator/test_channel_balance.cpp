@@ -33,7 +33,7 @@ double mean_square(const ChannelBalance& balance) {
 
 ChannelBalance balance_of(const PhasorRun& run) {
     FitOptions options{.model = FitOptions::Model::structured};
-    options.tolerance.kappa = 0;
+    options.tolerance[kappa_error] = 0;
     return channel_balance(run, needed(fit_resonator({&run, 1}, options, {})).motion, 0, 100);
 }
 

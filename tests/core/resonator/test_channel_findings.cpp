@@ -35,9 +35,9 @@ class TestChannelFindings : public QObject {
 
 private slots:
     void a_delay_is_a_phase_where_the_frequency_is_unknown() {
-        const auto delay = std::ranges::find(channel_errors, delay_error, &ChannelError::source);
-        QVERIFY(named_error(*delay, -2 * pi * 1e-5, 1000).at(1) == number_arg(10, 2, "ns"));
-        QVERIFY(named_error(*delay, -0.01, 0).at(1) == number_arg(0.01, 2, "rad"));
+        const ToleratedError& delay = tolerated_errors[delay_error];
+        QVERIFY(named_error(delay, -2 * pi * 1e-5, 1000).at(1) == number_arg(10, 2, "ns"));
+        QVERIFY(named_error(delay, -0.01, 0).at(1) == number_arg(0.01, 2, "rad"));
     }
 
     // Waves of no quadrature and of any, the same at all angles or not.
@@ -115,8 +115,8 @@ private slots:
         QFETCH(QString, named);
         for (std::uint64_t seed = 1; seed <= 4; ++seed) {
             std::vector<PhasorRun> runs = set_of(resonator(), four_angles, window, seed);
-            spoil(runs,
-                  {.kappa = 0, .phase_rad = -2 * pi * 5300 * delay_s, .crosstalk = crosstalk});
+            spoil(runs, channels({{delay_error, -2 * pi * 5300 * delay_s},
+                                  {crosstalk_error, crosstalk}}));
             FitOptions options = assuming;
             options.model = FitOptions::Model::structured;
             const ResonatorFit fit = fitted(runs, options);
@@ -132,7 +132,7 @@ private slots:
     // the tolerance, assumed or told.
     void a_rotation_that_a_delay_looks_like_is_told() {
         FitOptions told = assuming;
-        told.tolerance.phase_rad = told.assumed.phase_rad;
+        told.tolerance[delay_error] = told.assumed[delay_error];
         for (const FitOptions& options : {assuming, told}) {
             for (const double turn_rad_s : {-1e-3, 0.0, 1e-3}) {
                 FreeDecay decay = resonator();

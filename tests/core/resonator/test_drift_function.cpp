@@ -125,7 +125,7 @@ private slots:
         decay.omega_rad_s = 0.3;  // through 133 degrees of theta_A
         // A gain ratio that is not told looks like an anisotropy in one turning wave.
         QCOMPARE(drift_of(set_of(decay, {10}, 3)).order, 0);
-        const DriftFunction found = drift_of(set_of(decay, {10}, 3), {.tolerance = {.kappa = 0}});
+        const DriftFunction found = drift_of(set_of(decay, {10}, 3), {.tolerance = {}});
         VYBEG_AT_LEAST(found.order, 4);
         VYBEG_CLOSE(worst_deviation(found, truth_of(decay)), 0, 4.5);
         VYBEG_MORE(found.points.size(), 20);

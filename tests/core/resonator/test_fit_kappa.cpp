@@ -121,7 +121,7 @@ private slots:
         decay.damping_anisotropy_per_s = 2e-4;
         decay.theta_tau = 0.15;
         const ResonatorFit fit =
-            fitted(set_of(decay, {7}, 1000, 1), {.tolerance = {.kappa = 1e-5}});
+            fitted(set_of(decay, {7}, 1000, 1), {.tolerance = channels({{kappa_error, 1e-5}})});
         VYBEG_NEAR(fit.resonator.damping_anisotropy_per_s, 2e-4, 4, 2e-5);
         VYBEG_NEAR(fit.resonator.theta_tau_rad, 0.15, 4, 3e-2);
     }
@@ -165,7 +165,7 @@ private slots:
         decay.damping_anisotropy_per_s = 2e-4;
         decay.theta_tau = -0.1;
         const std::vector<PhasorRun> ideal = set_of(decay, four_angles, 1000, 3);
-        const FitOptions told{.tolerance = {.kappa = 0}};
+        const FitOptions told{.tolerance = {}};
         const ResonatorFit before = fitted(ideal, told);
         struct Error {
             const char* name;
@@ -259,7 +259,7 @@ private slots:
         };
         // Small enough to be a motion by power in both.
         decay.damping_per_power_per_s = 1e-12;
-        const FitOptions told{.tolerance = {.kappa = 0}};
+        const FitOptions told{.tolerance = {}};
         const ResonatorFit before = fitted(runs_of(decay), told);
         for (const Effect& effect :
              {Effect{cubic_error, 1e-5, &FreeDecay::frequency_per_power_hz, 1 / power},
@@ -311,7 +311,7 @@ private slots:
                 }
             }
         }
-        const FitOptions told{.tolerance = {.kappa = 0}};
+        const FitOptions told{.tolerance = {}};
         const ResonatorFit before = fitted(runs, told);
         const ResonatorFit after = fitted(bent, told);
         QCOMPARE(before.modes.size(), std::size_t{2});
@@ -340,7 +340,8 @@ private slots:
         const ResonatorFit alone = fitted(runs);
         VYBEG_MORE(std::abs(alone.resonator.angle_rate_rad_s.value),
                    20 * alone.resonator.angle_rate_rad_s.sd);
-        const ResonatorFit told = fitted(runs, {.tolerance = {.phase_rad = 0.01}});
+        const ResonatorFit told =
+            fitted(runs, {.tolerance = channels({{kappa_error, 0.01}, {delay_error, 0.01}})});
         QVERIFY(told.model == ResonatorModel::structured);
         VYBEG_CLOSE(told.resonator.angle_rate_rad_s.value, 0,
                     4 * told.resonator.angle_rate_rad_s.uncertainty());

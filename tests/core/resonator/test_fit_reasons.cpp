@@ -133,8 +133,7 @@ private slots:
         decay.split_hz = 1e-5;
         decay.theta_w = -0.3;
         // With the channels told; a gain ratio that is fitted along costs some of it.
-        const ResonatorFit fit =
-            fitted(set_of(decay, {5, 27.5}, 1000, 1), {.tolerance = {.kappa = 0}});
+        const ResonatorFit fit = fitted(set_of(decay, {5, 27.5}, 1000, 1), {.tolerance = {}});
         VYBEG_NEAR(statistical(fit.resonator.split_hz), 1e-5, 4, 1e-7);
         VYBEG_NEAR(statistical(fit.resonator.theta_w_rad), -0.3, 4, 1e-2);
         QVERIFY(fit.resonator.angle_rate_rad_s.given());
@@ -166,7 +165,7 @@ private slots:
         decay.omega_rad_s = 0.2;
         decay.split_hz = 1e-5;
         decay.theta_w = 0.5;
-        const ResonatorFit fit = fitted(set_of(decay, {5}, 1000, 1), {.tolerance = {.kappa = 0}});
+        const ResonatorFit fit = fitted(set_of(decay, {5}, 1000, 1), {.tolerance = {}});
         VYBEG_NEAR(fit.resonator.split_hz, 1e-5, 4, 5e-7);
         VYBEG_NEAR(fit.resonator.theta_w_rad, 0.5, 4, 0.02);
         VYBEG_NEAR(fit.resonator.angle_rate_rad_s, -0.277 * 0.2, 4, 1e-6);
@@ -199,7 +198,7 @@ private slots:
 
     void whatIsToldIsNotEstimated() {
         const ResonatorFit fit =
-            fitted(set_of(reference(), four_angles, 1000, 1), {.tolerance = {.kappa = 0}});
+            fitted(set_of(reference(), four_angles, 1000, 1), {.tolerance = {}});
         QVERIFY(fit.resonator.kappa.reason.code == ReasonCode::as_given);
         QVERIFY(fit.resonator.frequency_per_power.reason.code == ReasonCode::not_nonlinear);
         QVERIFY(fit.resonator.delay_s.reason.code == ReasonCode::held);

@@ -117,9 +117,8 @@ private slots:
     void an_eighth_harmonic_at_four_angles_is_a_misfit_of_the_set() {
         Effects effects;
         effects.eighth_rad_s[0] = 2e-6;
-        const ResonatorFit fit =
-            fitted(runs_of(resonator(), effects, {5, 30, 50, 75}),
-                   {.model = FitOptions::Model::structured, .tolerance = {.kappa = 0}});
+        const ResonatorFit fit = fitted(runs_of(resonator(), effects, {5, 30, 50, 75}),
+                                        {.model = FitOptions::Model::structured, .tolerance = {}});
         QVERIFY(fit.resonator.split_hz.reason.code == ReasonCode::set_refused);
     }
 
@@ -129,7 +128,7 @@ private slots:
         QFETCH(double, size);
         QFETCH(std::vector<double>, angles);
         const FreeDecay decay = resonator();
-        const FitOptions told{.model = FitOptions::Model::structured, .tolerance = {.kappa = 0}};
+        const FitOptions told{.model = FitOptions::Model::structured, .tolerance = {}};
         const ResonatorFit before = fitted(runs_of(decay, {}, angles), told);
         std::array<ResonatorFit, 2> after;
         for (std::size_t k = 0; k < 2; ++k) {

@@ -221,7 +221,7 @@ private slots:
         const std::vector runs{some_run()};
         const std::array<std::size_t, 1> breaks{8};
         FitProblem problem{runs, ParameterLayout(breaks), {}};
-        problem.priors = structured_priors(runs, problem.layout, {.kappa = 0});
+        problem.priors = structured_priors(runs, problem.layout, {});
         Eigen::VectorXd start(problem.layout.size());
         start << some_shared(0), some_own();
         start[kappa_at] = 1;
@@ -239,7 +239,7 @@ private slots:
         const std::vector runs{some_run()};
         const std::array<std::size_t, 1> breaks{8};
         FitProblem problem{runs, ParameterLayout(breaks), {}};
-        problem.priors = structured_priors(runs, problem.layout, {.skew_rad = 0.01});
+        problem.priors = structured_priors(runs, problem.layout, ChannelTolerance{0.01, 0.01});
         Eigen::VectorXd start(problem.layout.size());
         start << some_shared(0), some_own();
         start[kappa_at] = 1;

@@ -196,7 +196,7 @@ private slots:
         }
         for (const double kappa : {0.0, 0.01}) {
             FitOptions options;
-            options.tolerance.kappa = kappa;
+            options.tolerance[kappa_error] = kappa;
             const Result<ResonatorFit> samples = fit_resonator(phasors, options, {});
             QVERIFY(samples);
             const ResonatorEstimate found = resonator_of(tracks, options);

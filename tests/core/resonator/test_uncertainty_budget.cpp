@@ -28,12 +28,12 @@ FitOptions with(const ChannelTolerance& tolerance) {
     return options;
 }
 
-const ChannelTolerance every_tolerance{.kappa = 0.002,
-                                       .skew_rad = 0.1 * pi / 180,
-                                       .phase_rad = 1e-3,
-                                       .crosstalk = 1e-3,
-                                       .phase_drift = 1e-4,
-                                       .gain_drift = 1e-4};
+constexpr ChannelTolerance every_tolerance = channels({{kappa_error, 0.002},
+                                                       {skew_error, 0.1 * pi / 180},
+                                                       {delay_error, 1e-3},
+                                                       {crosstalk_error, 1e-3},
+                                                       {phase_drift_error, 1e-4},
+                                                       {gain_drift_error, 1e-4}});
 
 double shift_of(const ResonatorParameter& parameter, const ResonatorFit& from,
                 const ResonatorFit& to) {
@@ -95,8 +95,7 @@ private slots:
     }
 
     void known_channels_leave_the_noise_alone() {
-        const ResonatorFit fit =
-            fitted(set_of(resonator(), four_angles, 1000, 1), with({.kappa = 0}));
+        const ResonatorFit fit = fitted(set_of(resonator(), four_angles, 1000, 1), with({}));
         const auto budget = uncertainty_budget(fit);
         QVERIFY(!budget.empty());
         QVERIFY(sources_of(budget).empty());
@@ -109,7 +108,8 @@ private slots:
     // the drift of either. That of C was not in it: the tau of a mode was 213 u off. A told drift
     // is fitted as D's, so that u differs by some per cent.
     void a_drift_of_either_channel_is_in_u() {
-        const FitOptions options = with({.phase_drift = 1e-4, .gain_drift = 1e-4});
+        const FitOptions options = with(
+            channels({{kappa_error, 0.01}, {phase_drift_error, 1e-4}, {gain_drift_error, 1e-4}}));
         for (const double theta_w : {0.35, 0.02, -0.6, 0.8}) {
             FreeDecay decay = resonator();
             decay.theta_w = theta_w;
@@ -147,7 +147,7 @@ private slots:
     // A share is the change of the result by an error of one standard deviation that the fit does
     // not know of: D that has a little of C in it moves the fit by as much.
     void a_share_is_the_change_by_an_error_of_the_tolerances_size() {
-        const double skew = every_tolerance.skew_rad;
+        const double skew = every_tolerance[skew_error];
         const std::vector<PhasorRun> runs = set_of(resonator(), four_angles, 1000, 7);
         std::vector<PhasorRun> skewed = runs;
         for (PhasorRun& run : skewed) {

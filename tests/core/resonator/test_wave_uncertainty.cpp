@@ -47,7 +47,8 @@ class TestWaveUncertainty : public QObject {
 private slots:
     // Which channel is called D decides nothing: a wave in C had no u of a drift.
     void drifts_of_either_channel_count() {
-        const ChannelTolerance told{.kappa = 0, .phase_drift = 1e-3, .gain_drift = 1e-3};
+        const ChannelTolerance told =
+            channels({{phase_drift_error, 1e-3}, {gain_drift_error, 1e-3}});
         for (const double two_theta : {0.0, 0.4, 1.3, 2.6}) {
             const PhasorRun run = simulated_phasors(moving_wave(two_theta, 0.1), window, 3);
             PhasorRun exchanged = run;
@@ -71,20 +72,16 @@ private slots:
     // One error at a time, then all of them.
     void the_truth_lies_within_u() {
         QFETCH(int, error);
-        const ChannelTolerance all{.kappa = 0.01,
-                                   .skew_rad = 2e-3,
-                                   .phase_rad = 2e-3,
-                                   .crosstalk = 1e-3,
-                                   .phase_drift = 1e-3,
-                                   .gain_drift = 1e-3};
-        constexpr std::array parts{&ChannelTolerance::kappa,       &ChannelTolerance::skew_rad,
-                                   &ChannelTolerance::phase_rad,   &ChannelTolerance::crosstalk,
-                                   &ChannelTolerance::phase_drift, &ChannelTolerance::gain_drift};
+        const ChannelTolerance all = channels({{kappa_error, 0.01},
+                                               {skew_error, 2e-3},
+                                               {delay_error, 2e-3},
+                                               {crosstalk_error, 1e-3},
+                                               {phase_drift_error, 1e-3},
+                                               {gain_drift_error, 1e-3}});
         ChannelTolerance told = all;
         if (error < 6) {
-            told = {.kappa = 0};
-            told.*parts[static_cast<std::size_t>(error)] =
-                all.*parts[static_cast<std::size_t>(error)];
+            told = {};
+            told[static_cast<std::size_t>(error)] = all[static_cast<std::size_t>(error)];
         }
         std::array<int, 4> within{};
         std::array<bool, 4> widened{};
@@ -96,12 +93,12 @@ private slots:
                 for (std::uint64_t seed = 1; seed <= 8; ++seed) {
                     PhasorRun run = simulated_phasors(decay, window, seed);
                     const WaveMotion truth = wave_motion(run);
-                    const double gain = 1 / (1 + told.kappa * normal(random));
-                    const double phase = told.phase_rad * normal(random);
-                    const std::complex cross(told.skew_rad * normal(random),
-                                             told.crosstalk * normal(random));
-                    const double phase_drift = told.phase_drift * normal(random);
-                    const double gain_drift = told.gain_drift * normal(random);
+                    const double gain = 1 / (1 + told[kappa_error] * normal(random));
+                    const double phase = told[delay_error] * normal(random);
+                    const std::complex cross(told[skew_error] * normal(random),
+                                             told[crosstalk_error] * normal(random));
+                    const double phase_drift = told[phase_drift_error] * normal(random);
+                    const double gain_drift = told[gain_drift_error] * normal(random);
                     for (std::size_t k = 0; k < run.c.size(); ++k) {
                         const double x = run.time_s[k] / 14;
                         run.d[k] = run.d[k] * gain *
@@ -130,7 +127,7 @@ private slots:
 
     void no_tolerance_adds_nothing() {
         const PhasorRun run = simulated_phasors(moving_wave(0.3, 0.1), window, 1);
-        const WaveMotion found = wave_motion(run, {.kappa = 0});
+        const WaveMotion found = wave_motion(run, {});
         for (const auto member : members) {
             QCOMPARE((found.*member).u, (found.*member).sd);
         }

@@ -172,9 +172,9 @@ private slots:
         auto& kappa = the<NumberField>("driftKappa");
         kappa.setFocus();
         QTest::keyClicks(&kappa, "0.0002");
-        QVERIFY(!drift().settings().tolerance.kappa);
+        QVERIFY(!drift().settings().tolerance[kappa_error]);
         window_->close();
-        QCOMPARE(drift().settings().tolerance.kappa, std::optional(0.0002));
+        QCOMPARE(drift().settings().tolerance[kappa_error], std::optional(0.0002));
         QTest::keyClicks(&kappa, "5");
         window_.reset();
         window_ = shownWindow();
@@ -413,7 +413,7 @@ private slots:
         QVERIFY(drift().computing());
         wait();
         DriftSettings settings;
-        settings.tolerance.kappa = 1e-4;
+        settings.tolerance[kappa_error] = 1e-4;
         QVERIFY(drift().settings() == settings);
         compareWith(computed({log}, settings));
         VYBEG_LESS(drift().outcome()->drift.harmonics[3].u, u / 2);

@@ -234,14 +234,14 @@ private slots:
         settings.calibration.offset_c = 0.5;  // of samples
         document().setSettings(settings);
         Tolerance tolerance;
-        tolerance.kappa = 0.03;
+        tolerance[kappa_error] = 0.03;
         document().setTolerance(tolerance);
         QVERIFY(sets().outOfDate(*sets().current(), outcome()));
         QVERIFY2(state().contains("Out of date"), qPrintable(state()));
         const MeasurementSet measured = sets().measured(*sets().current());
         QCOMPARE(measured.settings.signal.calibration.kappa, 1.02);
         QCOMPARE(measured.settings.signal.calibration.offset_c, 0.0);
-        QCOMPARE(measured.settings.tolerance.kappa, std::optional(0.03));
+        QCOMPARE(measured.settings.tolerance[kappa_error], std::optional(0.03));
         sets().identify();
         QVERIFY(QTest::qWaitFor([&] { return !sets().outOfDate(*sets().current(), outcome()); },
                                 60000));

@@ -332,7 +332,7 @@ private slots:
         QCOMPARE(cellOf("resonator", "Decay time", "u")->text(),
                  uncertaintyLabel(tau.value, tau.sd, tau.u));
         document().undoStack().undo();
-        QVERIFY(!document().tolerance().kappa);
+        QVERIFY(!document().tolerance()[kappa_error]);
         QVERIFY(field("Tolerance of the gain ratio")->text().isEmpty());
         field("Tolerance of the delay")->setText("-1");
         QVERIFY(!field("Tolerance of the delay")->isValid());

@@ -233,8 +233,8 @@ private slots:
         stored.settings.calibration.kappa = 1.0000001;
         stored.settings.calibration.delay_d_s = 1e-7;
         stored.settings.repair_lost = true;
-        stored.tolerance.kappa = 0.02;
-        stored.tolerance.skew_deg = 0.3;
+        stored.tolerance[kappa_error] = 0.02;
+        stored.tolerance[skew_error] = 0.3;
         const QDir folder(home_.path("."));
         const auto read = sessionFromJson(sessionToJson(stored, folder), folder);
         QVERIFY(read);

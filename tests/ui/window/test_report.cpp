@@ -102,8 +102,8 @@ private slots:
     void the_report_of_a_set_holds_everything_in_both_languages() {
         openAll(resonatorRuns(home_, "HRG"));
         Tolerance tolerance;
-        tolerance.skew_deg = 0.1;
-        tolerance.delay_s = 1e-8;
+        tolerance[skew_error] = 0.1;
+        tolerance[delay_error] = 1e-8;
         document().setTolerance(tolerance);
         identifyAll();
         const auto subjects = reportSubjects(document());
@@ -184,10 +184,10 @@ private slots:
     void no_number_is_broken() {
         openAll(resonatorRuns(home_, "HRG"));
         Tolerance all;
-        all.kappa = 0.01;
-        all.skew_deg = 0.1;
-        all.delay_s = 1e-8;
-        all.crosstalk = all.phase_drift_rad = all.gain_drift = 1e-4;
+        all[kappa_error] = 0.01;
+        all[skew_error] = 0.1;
+        all[delay_error] = 1e-8;
+        all[crosstalk_error] = all[phase_drift_error] = all[gain_drift_error] = 1e-4;
         document().setTolerance(all);
         identifyAll();
         const ReportContent content =
