@@ -289,23 +289,10 @@ Result<std::optional<ResultsDatabase>> open_database(const std::string& name, co
     if (name.empty()) {
         return std::optional<ResultsDatabase>();
     }
-    constexpr double patience_s = 60;
     auto database = TRY(ResultsDatabase::open(
-        name, ResultsDatabase::Access::write, job, patience_s,
+        name, ResultsDatabase::Access::write, job,
         [&log](const Diagnostic& waiting) { log.warnings(std::vector{waiting}); }));
     return std::optional(std::move(database));
-}
-
-// Before the files, as batch does: the same again replaces what a failure of them leaves. Warns of
-// another name that the database has for this result.
-Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
-    const auto holder = TRY(database.holder(result.key));
-    const StoredName own{result.set, result.gyro};
-    if (holder && *holder != own) {
-        log.warnings(std::vector{same_recordings(own, *holder)});
-    }
-    TRY(database.add(result));
-    return {};
 }
 
 void tell_timing(const Identification& identification, double open_s, double write_s,
@@ -351,8 +338,10 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
     log.warnings(warnings_of(open, *result));
     const double identified = seconds_now();
     if (database) {
-        const auto to_store = TRY(stored_result(*result, identify_json(*result)));
-        TRY(store(*database, to_store, log));
+        // Before the files, as batch does: the same again replaces what a failure of them leaves.
+        const auto stored = TRY(stored_result(*result, identify_json(*result)));
+        const auto added = TRY(database->add(stored));
+        log.warnings(same_recordings(stored, added.replaced.value_or(stored)));
     }
     // All of them appear, or none: a text that has no room in memory is missed before the first.
     const std::string text = summary ? identify_text(*result) : identify_json(*result);

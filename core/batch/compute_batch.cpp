@@ -280,13 +280,12 @@ private:
             return refused_value("-o", request_.output, "--resume needs a file");
         }
         if (!request_.database.empty()) {
-            constexpr double patience_s = 60;
             const auto waits = [this](const Diagnostic& waiting) {
                 const std::lock_guard lock(mutex_);
                 events_.warned({waiting});
             };
-            auto opened = TRY(ResultsDatabase::open(
-                request_.database, ResultsDatabase::Access::write, job_, patience_s, waits));
+            auto opened = TRY(ResultsDatabase::open(request_.database,
+                                                    ResultsDatabase::Access::write, job_, waits));
             identity_ = TRY(opened.identity());
             database_.emplace(std::move(opened));
         }
@@ -480,25 +479,18 @@ private:
         // set and another one.
         Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
                                               const std::string& json) {
-            std::vector<Diagnostic> warnings;
             const auto stored = TRY(stored_result(result, json));
             const std::lock_guard lock(database_mutex_);
-            const auto holder = TRY(batch_.database_->holder(stored.key));
             // Of two sets of the list the later one counts, whichever is computed first.
             const SetTask*& last = stored_[stored.key];
-            const bool holds_later = last != nullptr && last > &task;
-            const StoredName own{stored.set, stored.gyro};
-            if (holder && *holder != own) {
-                warnings.push_back(holds_later ? same_recordings(*holder, own)
-                                               : same_recordings(own, *holder));
+            if (last != nullptr && last > &task) {
+                return same_recordings({last->set->name, gyro_of(*last->set)}, stored);
             }
-            if (!holds_later) {
-                // The same numbers of the results whichever set is computed first.
-                const std::int64_t place = &task - tasks_.data() + 1;
-                TRY(batch_.database_->add(stored, last_id_ + place));
-                last = &task;
-            }
-            return warnings;
+            // The same numbers of the results whichever set is computed first.
+            const std::int64_t place = &task - tasks_.data() + 1;
+            const auto added = TRY(batch_.database_->add(stored, last_id_ + place));
+            last = &task;
+            return same_recordings(stored, added.replaced.value_or(stored));
         }
 
         void add_failure(const SetTask& task, const Error& error,

@@ -147,6 +147,12 @@ struct ColumnReader {
     }
 };
 
+std::optional<StoredName> name_of(const SqliteConnection& connection, const std::string& key) {
+    SqliteStatement holder(connection, "SELECT set_name, gyro FROM result WHERE key = ?");
+    return holder.bind(key).step() ? std::optional(StoredName{holder.text(0), holder.text(1)})
+                                   : std::nullopt;
+}
+
 std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result,
                         std::optional<std::int64_t> wanted) {
     SqliteStatement head(connection, R"sql(
@@ -321,8 +327,9 @@ Result<StoredResult> stored_result(const SetResult& result, std::string json) {
     return stored;
 }
 
-std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
-                          std::optional<std::int64_t> wanted) {
+AddedResult write_result(SqliteConnection& connection, const StoredResult& result,
+                         std::optional<std::int64_t> wanted) {
+    std::optional<StoredName> replaced = name_of(connection, result.key);
     const std::int64_t id = write_head(connection, result, wanted);
     for (const char* sql :
          {"DELETE FROM recording WHERE result = ?", "DELETE FROM parameter WHERE result = ?",
@@ -334,7 +341,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
     document.bind(id).bind(json_line(result.raw.names)).bind(json_line(result.raw.values));
     document.bind_packed(json_line(lower_part(result.raw))).bind_packed(result.json).run();
-    return id;
+    return {id, std::move(replaced)};
 }
 
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {
