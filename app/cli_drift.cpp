@@ -3,11 +3,11 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/drift/drift_settings.h"
-#include "core/drift/whole_angle_log.h"
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -72,16 +72,10 @@ Status check_drift_paths(const DriftRequest& request) {
 
 Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     TRY(check_drift_paths(request));
-    DriftOutcome found{{}, request.settings, {}};
-    for (const std::string& input : request.inputs) {
-        auto read = TRY(read_whole_angle_log(input, request.settings.open, request.settings.log,
-                                             silent_job(stop)));
-        found.logs.push_back(std::move(read));
-    }
+    // Before the work is done: a missing folder shows at once.
     auto output = TRY(open_named(request.output, silent_job(stop)));
-    auto drift = TRY(
-        whole_angle_drift(found.logs, job_of(stop, log), pick_offs(request.settings.tolerance)));
-    found.drift = std::move(drift);
+    const std::vector<std::filesystem::path> logs(request.inputs.begin(), request.inputs.end());
+    const auto found = TRY(drift_of_logs(logs, request.settings, job_of(stop, log)));
     log.warnings(found.drift.warnings);
     const bool whole = file_ending(request.output) == ".json";
     const std::string json = request.json || whole ? drift_json(program, found) : "";

@@ -41,6 +41,7 @@ struct LogBin {
 // One log by itself: the fit of its angle, with the coefficients m, c2, s2, c4, s4 in rad/s.
 struct LogDrift : ColouredFit {
     std::string name;
+    std::string sha256;  // as of the log
     double seconds = 0;
     double turn = 0;                        // rad
     double period = 0;                      // of its angle, as UnwrappedAngle::period

@@ -48,15 +48,15 @@ Json series_noise_json(const SeriesNoise& noise) {
     return json;
 }
 
-Json log_json(const WholeAngleLog& log, const LogDrift& drift, bool left_out) {
+Json log_json(const LogDrift& drift, bool left_out) {
     Json harmonics;
     for (std::size_t k = 0; k < log_term_names.size(); ++k) {
         const auto at = static_cast<Eigen::Index>(k);
         harmonics[term_key(k)] = quantity_json(degrees_per_hour(
             Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}));
     }
-    return {{"name", log.name},
-            {"sha256", log.sha256},
+    return {{"name", drift.name},
+            {"sha256", drift.sha256},
             {"seconds", number_json(drift.seconds)},
             {"turn_deg", number_json(drift.turn / degree)},
             {"rows", drift.rows},
@@ -89,10 +89,10 @@ Estimate degrees_per_hour(Estimate rad_per_s) {
 }
 
 std::string drift_json(const std::string& program, const DriftOutcome& outcome) {
-    const auto& [logs, settings, drift] = outcome;
+    const auto& [settings, drift] = outcome;
     Json inputs = Json::array();
-    for (std::size_t k = 0; k < logs.size(); ++k) {
-        inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
+    for (std::size_t k = 0; k < drift.logs.size(); ++k) {
+        inputs.push_back(log_json(drift.logs[k], drift.left_out == k));
     }
     Json harmonics;
     for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {
@@ -123,9 +123,9 @@ std::string drift_json(const std::string& program, const DriftOutcome& outcome) 
 }
 
 std::string drift_csv(const std::string& program, const DriftOutcome& outcome) {
-    const auto& [logs, settings, drift] = outcome;
+    const auto& [settings, drift] = outcome;
     std::string text = "# " + program + "\n# drift of whole-angle logs, less the turn of each\n";
-    for (const WholeAngleLog& log : logs) {
+    for (const LogDrift& log : drift.logs) {
         text += "# input: " + plain_text(log.name) + ", sha256 " + log.sha256 + "\n";
     }
     for (const auto& [name, value] : settings_list(settings)) {
