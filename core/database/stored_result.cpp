@@ -27,8 +27,7 @@ std::string settings_text(IdentifySettings settings) {
     settings.of_recordings.clear();
     std::string text;
     for (const auto& [name, value] : settings_list(settings)) {
-        add_part(text, name);
-        add_part(text, value);
+        add_parts(text, {name, value});
     }
     return text;
 }
@@ -40,20 +39,15 @@ Result<std::string> result_key(const MeasurementSet& set) {
         IdentifySettings own = set.settings;
         own.signal = set.settings.signal_of(k);
         std::string text;
-        for (const std::string& part :
-             {set.recordings[k].sha256, integer_text(open.channel_c), integer_text(open.channel_d),
-              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
-              settings_text(own)}) {
-            add_part(text, part);
-        }
+        add_parts(text, {set.recordings[k].sha256, integer_text(open.channel_c),
+                         integer_text(open.channel_d), options_text(open),
+                         open.rate_hz ? round_trip_text(*open.rate_hz) : "", settings_text(own)});
         each.push_back(text);
     }
     std::ranges::sort(each);
     std::string whole;
-    add_part(whole, settings_text(set.settings));
-    for (const std::string& text : each) {
-        add_part(whole, text);
-    }
+    add_parts(whole, {settings_text(set.settings)});
+    add_parts(whole, each);
     return text_sha256(whole);
 }
 
