@@ -24,9 +24,8 @@ std::string logs_text(const WholeAngleDrift& drift) {
                 integer_text(static_cast<std::int64_t>(log.rows)) + " rows" +
                 (drift.left_out == k ? ", left out\n" : "\n");
         for (Eigen::Index term = 0; term < log_terms; ++term) {
-            const Estimate rate{log.coefficients[term], std::sqrt(log.covariance(term, term)), {}};
             text += line(log_term_names[static_cast<std::size_t>(term)],
-                         text_of(degrees_per_hour(rate), "deg/h"));
+                         text_of(degrees_per_hour(log.coefficient(term)), "deg/h"));
         }
     }
     return text;
@@ -45,13 +44,8 @@ std::string drift_text(const WholeAngleDrift& drift) {
                          short_text(each.chi2, 3) + " of " + short_text(each.freedom, 3));
         }
     }
-    const HeldResonator& resonator = drift.resonator;
     return text + "resonator, from the drift and the efforts\n" +
-           line("damping_anisotropy", text_of(resonator.damping_anisotropy_per_s, "1/s")) +
-           line("theta_tau", text_in_degrees(resonator.theta_tau_rad)) +
-           line("tau", text_of(resonator.tau_s, "s")) +
-           line("split", text_of(resonator.split_hz, "Hz")) +
-           line("theta_w", text_in_degrees(resonator.theta_w_rad));
+           lines_of(drift.resonator, held_parameters);
 }
 
 Status check_drift_paths(const DriftRequest& request) {

@@ -28,25 +28,10 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double negligible = 0.01;  // of a standard deviation
 
-// Parameters for people have the names of the JSON without their units.
-std::string label_of(std::string name) {
-    for (const std::string_view unit : {"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"}) {
-        if (name.ends_with(unit)) {
-            name.resize(name.size() - unit.size());
-            break;
-        }
-    }
-    return name;
-}
-
 // What the wave of a recording did, whatever the resonator is.
 std::string wave_text(const RecordingRef& recording, const WaveMotion& wave) {
-    std::string text = "wave of " + recording.name() + ", means over the recording\n";
-    for (const WaveParameter& parameter : wave_parameters) {
-        const Estimate& estimate = wave.*parameter.member;
-        text += line(label_of(parameter.name), text_of(estimate, parameter.unit));
-    }
-    return text;
+    return "wave of " + recording.name() + ", means over the recording\n" +
+           lines_of(wave, wave_parameters);
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -126,11 +111,7 @@ std::string modes_text(const ResonatorFit& fit) {
     text += fit.mode_order == ModeOrder::decay ? "decay rate" : "frequency";
     text += "\n";
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
-        text += "mode " + std::to_string(k + 1) + "\n";
-        for (const ModeParameter& parameter : mode_parameters) {
-            text += line(label_of(parameter.name),
-                         text_of(fit.modes[k].*parameter.member, parameter.unit));
-        }
+        text += "mode " + std::to_string(k + 1) + "\n" + lines_of(fit.modes[k], mode_parameters);
     }
     return text;
 }
@@ -154,7 +135,7 @@ std::string run_text(const RecordingRef& recording, const IdentifiedRun& run,
                                ", " + integer_text(run.window) + " samples") +
            line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
            line("a_A", text_of(estimate.a_A, "")) + line("a_B", text_of(estimate.a_B, "")) +
-           line("two_theta_A", text_in_degrees(estimate.two_theta_A_rad)) +
+           line("two_theta_A", text_of(estimate.two_theta_A_rad, "rad")) +
            line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
            line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
            line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
@@ -193,10 +174,9 @@ std::string difference_text(const Difference& difference) {
         return line(label_of(difference.name), verdict + incomparable_text(difference));
     }
     const Estimate change{difference.change, difference.u, {}};
-    const bool angle = std::string_view(difference.unit) == "rad";
-    std::string text =
-        verdict + "by " + (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
-        relative_text(difference.relative) + ", " + short_text(difference.deviations(), 3) + " u";
+    std::string text = verdict + "by " + text_of(change, difference.unit) +
+                       relative_text(difference.relative) + ", " +
+                       short_text(difference.deviations(), 3) + " u";
     if (difference.limit > 0 && std::abs(difference.change) <= difference.limit) {
         text += ", within the limit of " + short_text(difference.limit, 3) + " " + difference.unit;
     }
@@ -216,14 +196,8 @@ std::string identify_text(const SetResult& result) {
     }
     text += tolerances_text(identification.settings);
     if (fit.model == ResonatorModel::structured) {
-        text += "resonator, structured model\n";
-        for (const ResonatorParameter& parameter : resonator_parameters) {
-            const Estimate& estimate = fit.resonator.*parameter.member;
-            text += line(label_of(parameter.name), std::string_view(parameter.unit) == "rad"
-                                                       ? text_in_degrees(estimate)
-                                                       : text_of(estimate, parameter.unit));
-        }
-        text += sensitivities_text(fit);
+        text += "resonator, structured model\n" + lines_of(fit.resonator, resonator_parameters) +
+                sensitivities_text(fit);
     } else {
         text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";
     }

@@ -4,10 +4,12 @@
 #include "core/base/result.h"
 #include "core/drift/coloured_fit.h"
 #include "core/drift/whole_angle_log.h"
+#include "core/resonator/model/reason.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -52,6 +54,10 @@ struct LogDrift : ColouredFit {
     std::optional<ColouredFit> amplitude;
     std::optional<ColouredFit> quadrature;
     std::vector<LogBin> bins;
+
+    Estimate coefficient(Eigen::Index term) const {
+        return {coefficients[term], std::sqrt(covariance(term, term)), {}};
+    }
 };
 
 // Errors: turn_too_short, turn_too_fast, angle_unit_wrong, too_few_frames, no_valid_samples.

@@ -51,9 +51,8 @@ Json series_noise_json(const SeriesNoise& noise) {
 Json log_json(const LogDrift& drift, bool left_out) {
     Json harmonics;
     for (std::size_t k = 0; k < log_term_names.size(); ++k) {
-        const auto at = static_cast<Eigen::Index>(k);
-        harmonics[term_key(k)] = quantity_json(degrees_per_hour(
-            Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}));
+        harmonics[term_key(k)] =
+            quantity_json(degrees_per_hour(drift.coefficient(static_cast<Eigen::Index>(k))));
     }
     return {{"name", drift.name},
             {"sha256", drift.sha256},
@@ -65,14 +64,6 @@ Json log_json(const LogDrift& drift, bool left_out) {
             {"harmonics", harmonics},
             {"covariance_deg_h2", covariance_json(drift.covariance)},
             {"noise", series_noise_json(drift.noise)}};
-}
-
-Json held_json(const HeldResonator& resonator) {
-    return {{"damping_anisotropy_per_s", quantity_json(resonator.damping_anisotropy_per_s)},
-            {"theta_tau_rad", quantity_json(resonator.theta_tau_rad)},
-            {"tau_s", quantity_json(resonator.tau_s)},
-            {"split_hz", quantity_json(resonator.split_hz)},
-            {"theta_w_rad", quantity_json(resonator.theta_w_rad)}};
 }
 
 }  // namespace
@@ -117,7 +108,7 @@ std::string drift_json(const std::string& program, const DriftOutcome& outcome) 
                       {"harmonics", harmonics},
                       {"covariance_deg_h2", covariance_json(drift.covariance)},
                       {"agreement", list_json(drift.agreement, agreement)},
-                      {"resonator", held_json(drift.resonator)},
+                      {"resonator", parameters_json(drift.resonator, held_parameters)},
                       {"logs", inputs},
                       {"bins", list_json(drift.bins, bin)}});
 }
