@@ -237,8 +237,7 @@ private:
             }
         }
         if (journal_) {
-            TRY(set_keys(tasks));
-            kept_ = kept_keys(tasks, *journal_, written_.empty());
+            TRY(find_rows(tasks));
             if (std::ranges::equal(tasks, written_, {}, &SetTask::key) &&
                 std::ranges::all_of(tasks, [this](const auto& task) { return is_kept(task); })) {
                 return {};
@@ -247,8 +246,7 @@ private:
         auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
             TRY(open_files(output));
-            TRY(set_keys(tasks));
-            kept_ = kept_keys(tasks, *journal_, written_.empty());
+            TRY(find_rows(tasks));
             tell_other_rows(tasks);
         }
         events_.begun(list);
@@ -266,12 +264,13 @@ private:
 
     bool is_kept(const SetTask& task) const { return kept_.contains(task.key); }
 
-    // Gives each task the key of its row.
-    Status set_keys(std::vector<SetTask>& tasks) const {
+    // Gives each task the key of its row, and finds the rows that need not be computed.
+    Status find_rows(std::vector<SetTask>& tasks) {
         for (SetTask& task : tasks) {
             const auto key = TRY(row_key(request_, task, identity_));
             task.key = request_key_ + key;
         }
+        kept_ = kept_keys(tasks, *journal_, written_.empty());
         return {};
     }
 
