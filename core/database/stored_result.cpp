@@ -208,17 +208,13 @@ void write_recordings(const SqliteConnection& connection, std::int64_t id,
                         "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     std::int64_t position = 0;
     for (const RecordingRef& recording : result.recordings) {
-        Json others = Json::array();
-        for (const auto& [name, value] : recording.others) {
-            others.push_back({name, value});
-        }
         row.bind(id).bind(position++).bind(recording.file).bind(recording.path.string());
         row.bind(recording.name()).bind(recording.sha256).bind(recording.start);
         row.bind(recording.seconds).bind(recording.rate_hz).bind(recording.f0_hz);
         row.bind(std::int64_t{recording.open.channel_c});
         row.bind(std::int64_t{recording.open.channel_d});
         describe(Binder{row}, recording.conditions);
-        row.bind(json_line(others));
+        row.bind(json_line(recording.others));
         row.bind(opening_of(recording.open));
         row.run();
     }
