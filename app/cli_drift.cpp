@@ -3,11 +3,11 @@
 #include "core/base/number_text.h"
 #include "core/base/plain_text.h"
 #include "core/drift/drift_settings.h"
-#include "core/drift/whole_angle_log.h"
 #include "core/output/drift_json.h"
 #include "core/output/output_file.h"
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -24,9 +24,8 @@ std::string logs_text(const WholeAngleDrift& drift) {
                 integer_text(static_cast<std::int64_t>(log.rows)) + " rows" +
                 (drift.left_out == k ? ", left out\n" : "\n");
         for (Eigen::Index term = 0; term < log_terms; ++term) {
-            const Estimate rate{log.coefficients[term], std::sqrt(log.covariance(term, term)), {}};
             text += line(log_term_names[static_cast<std::size_t>(term)],
-                         text_of(degrees_per_hour(rate), "deg/h"));
+                         text_of(degrees_per_hour(log.coefficient(term)), "deg/h"));
         }
     }
     return text;
@@ -45,13 +44,8 @@ std::string drift_text(const WholeAngleDrift& drift) {
                          short_text(each.chi2, 3) + " of " + short_text(each.freedom, 3));
         }
     }
-    const HeldResonator& resonator = drift.resonator;
     return text + "resonator, from the drift and the efforts\n" +
-           line("damping_anisotropy", text_of(resonator.damping_anisotropy_per_s, "1/s")) +
-           line("theta_tau", text_in_degrees(resonator.theta_tau_rad)) +
-           line("tau", text_of(resonator.tau_s, "s")) +
-           line("split", text_of(resonator.split_hz, "Hz")) +
-           line("theta_w", text_in_degrees(resonator.theta_w_rad));
+           lines_of(drift.resonator, held_parameters);
 }
 
 Status check_drift_paths(const DriftRequest& request) {
@@ -72,16 +66,10 @@ Status check_drift_paths(const DriftRequest& request) {
 
 Status run_drift(const DriftRequest& request, Log& log, std::stop_token stop) {
     TRY(check_drift_paths(request));
-    DriftOutcome found{{}, request.settings, {}};
-    for (const std::string& input : request.inputs) {
-        auto read = TRY(read_whole_angle_log(input, request.settings.open, request.settings.log,
-                                             silent_job(stop)));
-        found.logs.push_back(std::move(read));
-    }
+    // Before the work is done: a missing folder shows at once.
     auto output = TRY(open_named(request.output, silent_job(stop)));
-    auto drift = TRY(
-        whole_angle_drift(found.logs, job_of(stop, log), pick_offs(request.settings.tolerance)));
-    found.drift = std::move(drift);
+    const std::vector<std::filesystem::path> logs(request.inputs.begin(), request.inputs.end());
+    const auto found = TRY(drift_of_logs(logs, request.settings, job_of(stop, log)));
     log.warnings(found.drift.warnings);
     const bool whole = file_ending(request.output) == ".json";
     const std::string json = request.json || whole ? drift_json(program, found) : "";

@@ -26,25 +26,10 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double negligible = 0.01;  // of a standard deviation
 
-// Parameters for people have the names of the JSON without their units.
-std::string label_of(std::string name) {
-    for (const std::string_view unit : {"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"}) {
-        if (name.ends_with(unit)) {
-            name.resize(name.size() - unit.size());
-            break;
-        }
-    }
-    return name;
-}
-
 // What the wave of a recording did, whatever the resonator is.
 std::string wave_text(const RecordingRef& recording, const WaveMotion& wave) {
-    std::string text = "wave of " + recording.name() + ", means over the recording\n";
-    for (const WaveParameter& parameter : wave_parameters) {
-        const Estimate& estimate = wave.*parameter.member;
-        text += line(label_of(parameter.name), text_of(estimate, parameter.unit));
-    }
-    return text;
+    return "wave of " + recording.name() + ", means over the recording\n" +
+           lines_of(wave, wave_parameters);
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -124,11 +109,7 @@ std::string modes_text(const ResonatorFit& fit) {
     text += fit.mode_order == ModeOrder::decay ? "decay rate" : "frequency";
     text += "\n";
     for (std::size_t k = 0; k < fit.modes.size(); ++k) {
-        text += "mode " + std::to_string(k + 1) + "\n";
-        for (const ModeParameter& parameter : mode_parameters) {
-            text += line(label_of(parameter.name),
-                         text_of(fit.modes[k].*parameter.member, parameter.unit));
-        }
+        text += "mode " + std::to_string(k + 1) + "\n" + lines_of(fit.modes[k], mode_parameters);
     }
     return text;
 }
@@ -152,7 +133,7 @@ std::string run_text(const RecordingRef& recording, const IdentifiedRun& run,
                                ", " + integer_text(run.window) + " samples") +
            line("f_offset", text_of(estimate.f_offset_hz, "Hz")) +
            line("a_A", text_of(estimate.a_A, "")) + line("a_B", text_of(estimate.a_B, "")) +
-           line("two_theta_A", text_in_degrees(estimate.two_theta_A_rad)) +
+           line("two_theta_A", text_of(estimate.two_theta_A_rad, "rad")) +
            line("split_sin", text_of(estimate.split_sin_hz, "Hz")) +
            line("f of this direction", text_of(estimate.direction_f_hz, "Hz")) +
            line("tau of this direction", text_of(estimate.direction_tau_s, "s")) +
@@ -191,10 +172,9 @@ std::string difference_text(const Difference& difference) {
         return line(label_of(difference.name), verdict + incomparable_text(difference));
     }
     const Estimate change{difference.change, difference.u, {}};
-    const bool angle = std::string_view(difference.unit) == "rad";
-    std::string text =
-        verdict + "by " + (angle ? text_in_degrees(change) : text_of(change, difference.unit)) +
-        relative_text(difference.relative) + ", " + short_text(difference.deviations(), 3) + " u";
+    std::string text = verdict + "by " + text_of(change, difference.unit) +
+                       relative_text(difference.relative) + ", " +
+                       short_text(difference.deviations(), 3) + " u";
     if (difference.limit > 0 && std::abs(difference.change) <= difference.limit) {
         text += ", within the limit of " + short_text(difference.limit, 3) + " " + difference.unit;
     }
@@ -214,14 +194,8 @@ std::string identify_text(const SetResult& result) {
     }
     text += tolerances_text(identification.settings);
     if (fit.model == ResonatorModel::structured) {
-        text += "resonator, structured model\n";
-        for (const ResonatorParameter& parameter : resonator_parameters) {
-            const Estimate& estimate = fit.resonator.*parameter.member;
-            text += line(label_of(parameter.name), std::string_view(parameter.unit) == "rad"
-                                                       ? text_in_degrees(estimate)
-                                                       : text_of(estimate, parameter.unit));
-        }
-        text += sensitivities_text(fit);
+        text += "resonator, structured model\n" + lines_of(fit.resonator, resonator_parameters) +
+                sensitivities_text(fit);
     } else {
         text += "resonator, free model: " + english(Reason{ReasonCode::free_model, {}}) + "\n";
     }
@@ -287,23 +261,10 @@ Result<std::optional<ResultsDatabase>> open_database(const std::string& name, co
     if (name.empty()) {
         return std::optional<ResultsDatabase>();
     }
-    constexpr double patience_s = 60;
     auto database = TRY(ResultsDatabase::open(
-        name, ResultsDatabase::Access::write, job, patience_s,
+        name, ResultsDatabase::Access::write, job,
         [&log](const Diagnostic& waiting) { log.warnings(std::vector{waiting}); }));
     return std::optional(std::move(database));
-}
-
-// Before the files, as batch does: the same again replaces what a failure of them leaves. Warns of
-// another name that the database has for this result.
-Status store(ResultsDatabase& database, const StoredResult& result, Log& log) {
-    const auto holder = TRY(database.holder(result.key));
-    const StoredName own{result.set, result.gyro};
-    if (holder && *holder != own) {
-        log.warnings(std::vector{same_recordings(own, *holder)});
-    }
-    TRY(database.add(result));
-    return {};
 }
 
 void tell_timing(const IdentifyTiming& timing, double open_s, double write_s, const Log& log) {
@@ -343,8 +304,10 @@ Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token st
     log.warnings(warnings_of(open, *result));
     const double identified = seconds_now();
     if (database) {
-        const auto to_store = TRY(stored_result(*result, identify_json(*result)));
-        TRY(store(*database, to_store, log));
+        // Before the files, as batch does: the same again replaces what a failure of them leaves.
+        const auto stored = TRY(stored_result(*result, identify_json(*result)));
+        const auto added = TRY(database->add(stored));
+        log.warnings(same_recordings(stored, added.replaced.value_or(stored)));
     }
     // All of them appear, or none: a text that has no room in memory is missed before the first.
     const std::string text = summary ? identify_text(*result) : identify_json(*result);

@@ -3,6 +3,7 @@
 #include "core/base/plain_text.h"
 #include "core/output/quantity_json.h"
 #include "core/output/quantity_text.h"
+#include "core/resonator/results/resonator_parameters.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <sstream>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
@@ -205,6 +207,9 @@ void Log::timing(const Timing& timing, double write_s, std::int64_t windows) con
 }
 
 std::string text_of(const Estimate& estimate, const std::string& unit) {
+    if (unit == "rad") {
+        return text_of(180 / std::numbers::pi * estimate, "deg");
+    }
     if (!estimate.given()) {
         return "- " + english(estimate.reason);
     }
@@ -225,15 +230,20 @@ std::string text_of(const Estimate& estimate, const std::string& unit) {
     return text.u.empty() ? numbers : numbers + ", u " + text.u + power(text.u_exponent);
 }
 
-std::string text_in_degrees(const Estimate& estimate) {
-    return text_of(180 / std::numbers::pi * estimate, "deg");
-}
-
 std::string line(const std::string& name, const std::string& text) {
     constexpr std::size_t column = 28;
     const std::string indented = "  " + name;
     return indented + std::string(column - std::min(column - 1, indented.size()), ' ') + text +
            "\n";
+}
+
+std::string label_of(std::string name) {
+    const auto* const unit = std::ranges::find_if(
+        name_units, [&name](const char* each) { return name.ends_with(each); });
+    if (unit != name_units.end()) {
+        name.resize(name.size() - std::string_view(*unit).size());
+    }
+    return name;
 }
 
 }  // namespace vybeg::cli

@@ -86,11 +86,22 @@ Status write_text(const std::string& text, const JobControl& job);
 // --help and --version there, which may be read by something that ends before they do.
 Status write_answer(const CLI::App& app, const CLI::ParseError& asked);
 
-// "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason.
+// "1.00034 ± 0.00005 Hz, u 0.0003", "(1.03 ± 0.03)e-6 Hz", or the reason. Angles for people are in
+// degrees: one in rad becomes one.
 std::string text_of(const Estimate& estimate, const std::string& unit);
-// The same of an angle in rad: angles for people are in degrees.
-std::string text_in_degrees(const Estimate& estimate);
 // A line of a summary.
 std::string line(const std::string& name, const std::string& text);
+// Parameters for people have the names of the JSON without their units.
+std::string label_of(std::string name);
+
+// The lines of an owner, by the table of its parameters.
+template <class Owner, class Parameters>
+std::string lines_of(const Owner& owner, const Parameters& parameters) {
+    std::string text;
+    for (const auto& parameter : parameters) {
+        text += line(label_of(parameter.name), text_of(owner.*parameter.member, parameter.unit));
+    }
+    return text;
+}
 
 }  // namespace vybeg::cli

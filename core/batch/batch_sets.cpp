@@ -126,44 +126,36 @@ Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
                             const std::string& database) {
     const MeasurementSet& set = *task.set;
     std::string text;
-    for (const std::string& part :
-         {request.program, set.name, task.passport, file_stamp(task.passport),
-          round_trip_text(request.compare.f_limit_ppm),
-          practical_limits_text(request.compare.limits), task.json, task.new_passport, database}) {
-        add_part(text, part);
-    }
+    const auto given = [](const std::optional<double>& number) {
+        return number ? round_trip_text(*number) : "";
+    };
+    add_parts(text, {request.program, set.name, task.passport, file_stamp(task.passport),
+                     round_trip_text(request.compare.f_limit_ppm),
+                     practical_limits_text(request.compare.limits), task.json, task.new_passport,
+                     database});
     if (task.limits) {
         for (const ParameterLimit& limit : *task.limits) {
-            add_part(text, limit.parameter);
-            for (const std::optional<double>& end : {limit.lower, limit.upper}) {
-                add_part(text, end ? round_trip_text(*end) : "");
-            }
+            add_parts(text, {limit.parameter, given(limit.lower), given(limit.upper)});
         }
     }
     // Rows of a table with other columns are computed again.
-    for (const std::string& column : batch_columns(task.limits.has_value())) {
-        add_part(text, column);
-    }
+    add_parts(text, batch_columns(task.limits.has_value()));
     for (const auto& [name, value] : settings_list(set.settings)) {
-        add_part(text, name);
-        add_part(text, value);
+        add_parts(text, {name, value});
     }
     for (const RecordingRef& recording : set.recordings) {
         const OpenOptions& open = recording.open;
-        for (const std::string& part :
-             {recording.file, recording.path.string(), file_stamp(recording.path),
-              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
-              integer_text(open.channel_c), integer_text(open.channel_d)}) {
-            add_part(text, part);
-        }
+        add_parts(text, {recording.file, recording.path.string(), file_stamp(recording.path),
+                         options_text(open), given(open.rate_hz), integer_text(open.channel_c),
+                         integer_text(open.channel_d)});
         for (const std::filesystem::path& file : further_files(open)) {
-            add_part(text, file_stamp(file));
+            add_parts(text, {file_stamp(file)});
         }
         for (const auto& [column, field] : fields_of(recording.conditions)) {
-            add_part(text, field);
+            add_parts(text, {field});
         }
         for (const auto& [column, other] : recording.others) {
-            add_part(text, other);
+            add_parts(text, {other});
         }
     }
     return text_sha256(text);

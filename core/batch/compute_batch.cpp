@@ -237,8 +237,7 @@ private:
             }
         }
         if (journal_) {
-            TRY(set_keys(tasks));
-            kept_ = kept_keys(tasks, *journal_, written_.empty());
+            TRY(find_rows(tasks));
             if (std::ranges::equal(tasks, written_, {}, &SetTask::key) &&
                 std::ranges::all_of(tasks, [this](const auto& task) { return is_kept(task); })) {
                 return {};
@@ -247,8 +246,7 @@ private:
         auto output = TRY(open_output(request_.output, job_));
         if (!journal_) {
             TRY(open_files(output));
-            TRY(set_keys(tasks));
-            kept_ = kept_keys(tasks, *journal_, written_.empty());
+            TRY(find_rows(tasks));
             tell_other_rows(tasks);
         }
         events_.begun(list);
@@ -266,12 +264,13 @@ private:
 
     bool is_kept(const SetTask& task) const { return kept_.contains(task.key); }
 
-    // Gives each task the key of its row.
-    Status set_keys(std::vector<SetTask>& tasks) const {
+    // Gives each task the key of its row, and finds the rows that need not be computed.
+    Status find_rows(std::vector<SetTask>& tasks) {
         for (SetTask& task : tasks) {
             const auto key = TRY(row_key(request_, task, identity_));
             task.key = request_key_ + key;
         }
+        kept_ = kept_keys(tasks, *journal_, written_.empty());
         return {};
     }
 
@@ -280,13 +279,12 @@ private:
             return refused_value("-o", request_.output, "--resume needs a file");
         }
         if (!request_.database.empty()) {
-            constexpr double patience_s = 60;
             const auto waits = [this](const Diagnostic& waiting) {
                 const std::lock_guard lock(mutex_);
                 events_.warned({waiting});
             };
-            auto opened = TRY(ResultsDatabase::open(
-                request_.database, ResultsDatabase::Access::write, job_, patience_s, waits));
+            auto opened = TRY(ResultsDatabase::open(request_.database,
+                                                    ResultsDatabase::Access::write, job_, waits));
             identity_ = TRY(opened.identity());
             database_.emplace(std::move(opened));
         }
@@ -476,25 +474,18 @@ private:
         // set and another one.
         Result<std::vector<Diagnostic>> store(const SetTask& task, const SetResult& result,
                                               const std::string& json) {
-            std::vector<Diagnostic> warnings;
             const auto stored = TRY(stored_result(result, json));
             const std::lock_guard lock(database_mutex_);
-            const auto holder = TRY(batch_.database_->holder(stored.key));
             // Of two sets of the list the later one counts, whichever is computed first.
             const SetTask*& last = stored_[stored.key];
-            const bool holds_later = last != nullptr && last > &task;
-            const StoredName own{stored.set, stored.gyro};
-            if (holder && *holder != own) {
-                warnings.push_back(holds_later ? same_recordings(*holder, own)
-                                               : same_recordings(own, *holder));
+            if (last != nullptr && last > &task) {
+                return same_recordings({last->set->name, gyro_of(*last->set)}, stored);
             }
-            if (!holds_later) {
-                // The same numbers of the results whichever set is computed first.
-                const std::int64_t place = &task - tasks_.data() + 1;
-                TRY(batch_.database_->add(stored, last_id_ + place));
-                last = &task;
-            }
-            return warnings;
+            // The same numbers of the results whichever set is computed first.
+            const std::int64_t place = &task - tasks_.data() + 1;
+            const auto added = TRY(batch_.database_->add(stored, last_id_ + place));
+            last = &task;
+            return same_recordings(stored, added.replaced.value_or(stored));
         }
 
         void add_failure(const SetTask& task, const Error& error,

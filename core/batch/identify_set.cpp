@@ -47,39 +47,33 @@ std::vector<std::string> signals_of(const RecordingRef& told, const Recording& r
     return signals;
 }
 
-// Reads a log into the set and returns its times.
-Result<std::vector<double>> read_log_into(OpenSet& open, std::size_t place, const JobControl& job) {
-    const RecordingRef& told = open.set.recordings[place];
-    const LogChoice& choice = open.set.settings.logs;
-    const LogFile file{told.path, told.open, choice, open.set.settings.signal_of(place), job};
-    if (choice.phasors.frame != PhasorFrame::none) {
-        auto log = TRY(read_phasor_log(file));
-        open.phasors.push_back(std::move(log));
-        return open.phasors.back().run.time_s;
-    }
-    auto log = TRY(read_power_log(file));
-    open.logs.push_back(std::move(log));
-    return open.logs.back().time_s;
-}
-
 // No two logs of a set may be one file.
 Status read_logs(OpenSet& open, const JobControl& job) {
+    const LogChoice& choice = open.set.settings.logs;
+    const bool of_phasors = choice.phasors.frame != PhasorFrame::none;
     std::map<std::string, std::string> known;
     for (std::size_t k = 0; k < open.set.recordings.size(); ++k) {
         RecordingRef& told = open.set.recordings[k];
-        const auto times = TRY(read_log_into(open, k, job));
+        const LogFile file{told.path, told.open, choice, open.set.settings.signal_of(k), job};
+        if (of_phasors) {
+            auto log = TRY(read_phasor_log(file));
+            open.phasors.push_back(std::move(log));
+        } else {
+            auto log = TRY(read_power_log(file));
+            open.logs.push_back(std::move(log));
+        }
         told.sha256 = TRY(file_sha256(told.path, job));
-        const auto rows = static_cast<double>(times.size());
-        told.seconds = rows > 0 ? times.back() - times.front() : 0;
-        told.rate_hz = rows > 1 ? (rows - 1) / told.seconds : 0;
-        told.f0_hz = std::numeric_limits<double>::quiet_NaN();
+        const auto& time_s = of_phasors ? open.phasors.back().run.time_s : open.logs.back().time_s;
+        const auto rows = static_cast<double>(time_s.size());
+        told.seconds = rows > 0 ? time_s.back() - time_s.front() : 0;
+        told.rate_hz = of_phasors ? open.phasors.back().rate_hz
+                       : rows > 1 ? (rows - 1) / told.seconds
+                                  : 0;
+        told.f0_hz = of_phasors ? open.phasors.back().run.f_ref_hz
+                                : std::numeric_limits<double>::quiet_NaN();
         const auto [same, is_new] = known.emplace(told.sha256, told.path.string());
         if (!is_new) {
             return Error{ErrorCode::same_recording, same->second, {told.path.string()}};
-        }
-        if (!open.phasors.empty()) {
-            told.rate_hz = open.phasors.back().rate_hz;
-            told.f0_hz = open.phasors.back().run.f_ref_hz;
         }
     }
     return {};

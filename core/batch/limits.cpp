@@ -21,11 +21,11 @@ const ResonatorParameter* parameter_named(
     std::span<const ResonatorParameter> parameters, std::string_view name,
     bool (*alike)(const std::string&, const std::string&) =
         [](const std::string& a, const std::string& b) { return a == b; }) {
-    constexpr std::array<std::string_view, 6> units{"", "_hz", "_s", "_rad", "_per_s", "_rad_s"};
     const auto found = std::ranges::find_if(parameters, [&](const ResonatorParameter& each) {
-        return std::ranges::any_of(units, [&](std::string_view unit) {
-            return alike(std::string(name).append(unit), each.name);
-        });
+        return alike(std::string(name), each.name) ||
+               std::ranges::any_of(name_units, [&](const char* unit) {
+                   return alike(std::string(name) + unit, each.name);
+               });
     });
     return found == parameters.end() ? nullptr : &*found;
 }

@@ -215,8 +215,12 @@ void make_tables(SqliteConnection& connection) {
 
 }  // namespace
 
-Diagnostic same_recordings(const StoredName& kept, const StoredName& lost) {
-    return {DiagnosticKind::same_recordings, {label(kept), label(lost)}};
+std::vector<Diagnostic> same_recordings(const StoredName& kept, const StoredName& lost) {
+    std::vector<Diagnostic> warnings;
+    if (kept != lost) {
+        warnings.push_back({DiagnosticKind::same_recordings, {label(kept), label(lost)}});
+    }
+    return warnings;
 }
 
 ResultsDatabase::ResultsDatabase(std::filesystem::path path, Access access, const JobControl& job,
@@ -240,8 +244,8 @@ auto ResultsDatabase::guarded(const Work& work) -> Result<decltype(work())> {
 }
 
 Result<ResultsDatabase> ResultsDatabase::open(const std::filesystem::path& path, Access access,
-                                              const JobControl& job, double patience_s,
-                                              WhenWaiting waits) {
+                                              const JobControl& job, WhenWaiting waits,
+                                              double patience_s) {
     ResultsDatabase database(path, access, job, patience_s);
     const Result<bool> connected = database.guarded([&] {
         database.connect(std::move(waits));
@@ -356,22 +360,13 @@ Result<std::int64_t> ResultsDatabase::last_id() {
     return guarded([this] { return one_number(*connection_, "SELECT max(id) FROM result"); });
 }
 
-Result<std::int64_t> ResultsDatabase::add(const StoredResult& result,
-                                          std::optional<std::int64_t> wanted) {
+Result<AddedResult> ResultsDatabase::add(const StoredResult& result,
+                                         std::optional<std::int64_t> wanted) {
     return guarded([&] {
         SqliteTransaction transaction(*connection_, "BEGIN IMMEDIATE");
-        const std::int64_t id = write_result(*connection_, result, wanted);
+        AddedResult added = write_result(*connection_, result, wanted);
         transaction.commit();
-        return id;
-    });
-}
-
-Result<std::optional<StoredName>> ResultsDatabase::holder(const std::string& key) {
-    return guarded([&] {
-        SqliteStatement statement(*connection_, "SELECT set_name, gyro FROM result WHERE key = ?");
-        statement.bind(key);
-        return statement.step() ? std::optional(StoredName{statement.text(0), statement.text(1)})
-                                : std::nullopt;
+        return added;
     });
 }
 

@@ -28,11 +28,17 @@ struct StoredDate {
     friend bool operator==(const StoredDate&, const StoredDate&) = default;
 };
 
+// What a result is called.
+struct StoredName {
+    std::string set;   // in its list
+    std::string gyro;  // empty: not stated
+
+    friend bool operator==(const StoredName&, const StoredName&) = default;
+};
+
 // One result in the history of a parameter.
-struct HistoryPoint {
+struct HistoryPoint : StoredName {
     std::int64_t id = 0;  // of ResultsDatabase::result()
-    std::string set;
-    std::string gyro;
     StoredDate date;
     double time_s = 0;   // of the date, iso_seconds(); NaN: there is none
     Estimate f_mean_hz;  // mean frequency, which follows the temperature
@@ -53,10 +59,8 @@ struct StoredParameter {
 };
 
 // The result of one set as the database keeps it.
-struct StoredResult {
-    std::string key;   // what makes it the same result: SHA-256 of its recordings and settings
-    std::string set;   // name in its list
-    std::string gyro;  // empty: not stated
+struct StoredResult : StoredName {
+    std::string key;  // what makes it the same result: SHA-256 of its recordings and settings
     StoredDate date;
     std::string program;                   // name and version
     std::string model;                     // "structured" or "free"
@@ -85,10 +89,16 @@ struct DamagedRow : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Adds or replaces the result of this key, and returns its id: of a new one `wanted` where that is
-// free. Within a transaction of the caller.
-std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
-                          std::optional<std::int64_t> wanted = {});
+// A result that has been written.
+struct AddedResult {
+    std::int64_t id = 0;
+    std::optional<StoredName> replaced;  // what the result of this key was called before
+};
+
+// Adds or replaces the result of this key: a new one with the id `wanted` where that is free.
+// Within a transaction of the caller.
+AddedResult write_result(SqliteConnection& connection, const StoredResult& result,
+                         std::optional<std::int64_t> wanted = {});
 
 // A result without its parameters; nothing: there is none.
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id);
@@ -104,16 +114,8 @@ struct StoredGyro {
     std::int64_t results = 0;
 };
 
-// What a result is called.
-struct StoredName {
-    std::string set;
-    std::string gyro;
-
-    friend bool operator==(const StoredName&, const StoredName&) = default;
-};
-
-// The warning that a database keeps one result for these two names.
-Diagnostic same_recordings(const StoredName& kept, const StoredName& lost);
+// The warning that a database keeps one result for these two names; none: they are the same.
+std::vector<Diagnostic> same_recordings(const StoredName& kept, const StoredName& lost);
 
 // Results of a laboratory in one SQLite file, which several programs on several machines may write
 // at once. Each result is there whole or not at all. Not for two threads at once.
@@ -122,14 +124,14 @@ public:
     enum class Access { read, write };
     using WhenWaiting = std::function<void(const Diagnostic&)>;
 
-    // Opens the file; to write, makes it where there is none. `patience_s`: how long any later call
-    // waits for other writers; `waits` receives a diagnostic once in each wait that is longer than
-    // half a second. `job`: an interruption ends the wait. Errors, also of all calls
+    // Opens the file; to write, makes it where there is none. `waits` receives a diagnostic once in
+    // each wait for other writers that is longer than half a second; `patience_s`: how long any
+    // later call waits. `job`: an interruption ends the wait. Errors, also of all calls
     // below: interrupted; to write output_failed, to read file_missing and file_read_failed, with
     // the reason: the system's, a lock, damage, another kind of file, a later schema.
     static Result<ResultsDatabase> open(const std::filesystem::path& path, Access access,
-                                        const JobControl& job, double patience_s = 60,
-                                        WhenWaiting waits = {});
+                                        const JobControl& job, WhenWaiting waits = {},
+                                        double patience_s = 60);
 
     // Made at random with the file: another file at this path has another.
     Result<std::string> identity();
@@ -137,14 +139,11 @@ public:
     // The largest id of a result; 0: there is none.
     Result<std::int64_t> last_id();
 
-    // Writes a result in one transaction and returns its id, `wanted` where that is free; it is on
-    // the disk then. A result whose key the file has already replaces that one and keeps its id:
+    // Writes a result in one transaction, with the id `wanted` where that is free; it is on the
+    // disk then. A result whose key the file has already replaces that one and keeps its id:
     // the same recordings and settings were computed again, perhaps by a later version or with
     // corrected conditions.
-    Result<std::int64_t> add(const StoredResult& result, std::optional<std::int64_t> wanted = {});
-
-    // Set and gyro of the result of this key; nothing: there is none.
-    Result<std::optional<StoredName>> holder(const std::string& key);
+    Result<AddedResult> add(const StoredResult& result, std::optional<std::int64_t> wanted = {});
 
     // By name.
     Result<std::vector<StoredGyro>> gyros();

@@ -27,8 +27,7 @@ std::string settings_text(IdentifySettings settings) {
     settings.of_recordings.clear();
     std::string text;
     for (const auto& [name, value] : settings_list(settings)) {
-        add_part(text, name);
-        add_part(text, value);
+        add_parts(text, {name, value});
     }
     return text;
 }
@@ -40,20 +39,15 @@ Result<std::string> result_key(const MeasurementSet& set) {
         IdentifySettings own = set.settings;
         own.signal = set.settings.signal_of(k);
         std::string text;
-        for (const std::string& part :
-             {set.recordings[k].sha256, integer_text(open.channel_c), integer_text(open.channel_d),
-              options_text(open), open.rate_hz ? round_trip_text(*open.rate_hz) : std::string(),
-              settings_text(own)}) {
-            add_part(text, part);
-        }
+        add_parts(text, {set.recordings[k].sha256, integer_text(open.channel_c),
+                         integer_text(open.channel_d), options_text(open),
+                         open.rate_hz ? round_trip_text(*open.rate_hz) : "", settings_text(own)});
         each.push_back(text);
     }
     std::ranges::sort(each);
     std::string whole;
-    add_part(whole, settings_text(set.settings));
-    for (const std::string& text : each) {
-        add_part(whole, text);
-    }
+    add_parts(whole, {settings_text(set.settings)});
+    add_parts(whole, each);
     return text_sha256(whole);
 }
 
@@ -147,6 +141,12 @@ struct ColumnReader {
     }
 };
 
+std::optional<StoredName> name_of(const SqliteConnection& connection, const std::string& key) {
+    SqliteStatement holder(connection, "SELECT set_name, gyro FROM result WHERE key = ?");
+    return holder.bind(key).step() ? std::optional(StoredName{holder.text(0), holder.text(1)})
+                                   : std::nullopt;
+}
+
 std::int64_t write_head(const SqliteConnection& connection, const StoredResult& result,
                         std::optional<std::int64_t> wanted) {
     SqliteStatement head(connection, R"sql(
@@ -208,17 +208,13 @@ void write_recordings(const SqliteConnection& connection, std::int64_t id,
                         "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     std::int64_t position = 0;
     for (const RecordingRef& recording : result.recordings) {
-        Json others = Json::array();
-        for (const auto& [name, value] : recording.others) {
-            others.push_back({name, value});
-        }
         row.bind(id).bind(position++).bind(recording.file).bind(recording.path.string());
         row.bind(recording.name()).bind(recording.sha256).bind(recording.start);
         row.bind(recording.seconds).bind(recording.rate_hz).bind(recording.f0_hz);
         row.bind(std::int64_t{recording.open.channel_c});
         row.bind(std::int64_t{recording.open.channel_d});
         describe(Binder{row}, recording.conditions);
-        row.bind(json_line(others));
+        row.bind(json_line(recording.others));
         row.bind(opening_of(recording.open));
         row.run();
     }
@@ -321,8 +317,9 @@ Result<StoredResult> stored_result(const SetResult& result, std::string json) {
     return stored;
 }
 
-std::int64_t write_result(SqliteConnection& connection, const StoredResult& result,
-                          std::optional<std::int64_t> wanted) {
+AddedResult write_result(SqliteConnection& connection, const StoredResult& result,
+                         std::optional<std::int64_t> wanted) {
+    std::optional<StoredName> replaced = name_of(connection, result.key);
     const std::int64_t id = write_head(connection, result, wanted);
     for (const char* sql :
          {"DELETE FROM recording WHERE result = ?", "DELETE FROM parameter WHERE result = ?",
@@ -334,7 +331,7 @@ std::int64_t write_result(SqliteConnection& connection, const StoredResult& resu
     SqliteStatement document(connection, "INSERT INTO document VALUES (?, ?, ?, ?, ?)");
     document.bind(id).bind(json_line(result.raw.names)).bind(json_line(result.raw.values));
     document.bind_packed(json_line(lower_part(result.raw))).bind_packed(result.json).run();
-    return id;
+    return {id, std::move(replaced)};
 }
 
 std::optional<StoredResult> read_result(SqliteConnection& connection, std::int64_t id) {

@@ -90,4 +90,15 @@ ChannelTolerance pick_offs(const Tolerance& tolerance) {
     return channels;
 }
 
+Result<DriftOutcome> drift_of_logs(std::span<const std::filesystem::path> paths,
+                                   const DriftSettings& settings, const JobControl& job) {
+    std::vector<WholeAngleLog> logs;
+    for (const std::filesystem::path& path : paths) {
+        auto log = TRY(read_whole_angle_log(path, settings.open, settings.log, job.silent()));
+        logs.push_back(std::move(log));
+    }
+    auto drift = TRY(whole_angle_drift(logs, job, pick_offs(settings.tolerance)));
+    return DriftOutcome{settings, std::move(drift)};
+}
+
 }  // namespace vybeg

@@ -6,6 +6,8 @@
 #include "core/drift/whole_angle_log.h"
 #include "core/resonator/model/channel_tolerance.h"
 
+#include <filesystem>
+#include <span>
 #include <vector>
 
 namespace vybeg {
@@ -26,14 +28,17 @@ const std::vector<SettingRow<DriftSettings>>& drift_settings();
 // Names and texts as on the command line, with the tolerances in use.
 std::vector<NamedValue> settings_list(const DriftSettings& settings);
 
-// A drift with its logs, of which name and SHA-256 are enough, and settings.
+// Gain ratio and skew with their tolerances, in place of those that are not stated the usual ones.
+ChannelTolerance pick_offs(const Tolerance& tolerance);
+
+// A drift with the settings that it was computed with.
 struct DriftOutcome {
-    std::vector<WholeAngleLog> logs;
     DriftSettings settings;
     WholeAngleDrift drift;
 };
 
-// Gain ratio and skew with their tolerances, in place of those that are not stated the usual ones.
-ChannelTolerance pick_offs(const Tolerance& tolerance);
+// Errors: those of read_whole_angle_log() and whole_angle_drift().
+Result<DriftOutcome> drift_of_logs(std::span<const std::filesystem::path> paths,
+                                   const DriftSettings& settings, const JobControl& job);
 
 }  // namespace vybeg

@@ -307,6 +307,7 @@ Result<LogDrift> log_drift(const WholeAngleLog& log, const JobControl& job) {
     }
     LogDrift drift{found,
                    log.name,
+                   log.sha256,
                    log.time_s.back() - log.time_s.front(),
                    angle.turn,
                    angle.period,

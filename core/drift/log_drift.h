@@ -4,10 +4,12 @@
 #include "core/base/result.h"
 #include "core/drift/coloured_fit.h"
 #include "core/drift/whole_angle_log.h"
+#include "core/resonator/model/reason.h"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -41,6 +43,7 @@ struct LogBin {
 // One log by itself: the fit of its angle, with the coefficients m, c2, s2, c4, s4 in rad/s.
 struct LogDrift : ColouredFit {
     std::string name;
+    std::string sha256;  // as of the log
     double seconds = 0;
     double turn = 0;                        // rad
     double period = 0;                      // of its angle, as UnwrappedAngle::period
@@ -51,6 +54,10 @@ struct LogDrift : ColouredFit {
     std::optional<ColouredFit> amplitude;
     std::optional<ColouredFit> quadrature;
     std::vector<LogBin> bins;
+
+    Estimate coefficient(Eigen::Index term) const {
+        return {coefficients[term], std::sqrt(covariance(term, term)), {}};
+    }
 };
 
 // Errors: turn_too_short, turn_too_fast, angle_unit_wrong, too_few_frames, no_valid_samples.

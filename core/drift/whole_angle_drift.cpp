@@ -297,11 +297,7 @@ Eigen::Vector2d put_together(const ChannelTolerance& channels, WholeAngleDrift& 
         warn_of_one_turn(found);
         return errors;
     }
-    for (Estimate* each :
-         {&found.resonator.damping_anisotropy_per_s, &found.resonator.theta_tau_rad,
-          &found.resonator.tau_s, &found.resonator.split_hz, &found.resonator.theta_w_rad}) {
-        each->reason = {ReasonCode::logs_differ, {}};
-    }
+    refuse(held_parameters, {ReasonCode::logs_differ, {}}, found.resonator);
     return Eigen::Vector2d::Zero();
 }
 

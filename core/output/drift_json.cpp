@@ -49,15 +49,14 @@ Json series_noise_json(const SeriesNoise& noise) {
     return json;
 }
 
-Json log_json(const WholeAngleLog& log, const LogDrift& drift, bool left_out) {
+Json log_json(const LogDrift& drift, bool left_out) {
     Json harmonics;
     for (std::size_t k = 0; k < log_term_names.size(); ++k) {
-        const auto at = static_cast<Eigen::Index>(k);
-        harmonics[term_key(k)] = quantity_json(degrees_per_hour(
-            Estimate{drift.coefficients[at], std::sqrt(drift.covariance(at, at)), {}}));
+        harmonics[term_key(k)] =
+            quantity_json(degrees_per_hour(drift.coefficient(static_cast<Eigen::Index>(k))));
     }
-    return {{"name", log.name},
-            {"sha256", log.sha256},
+    return {{"name", drift.name},
+            {"sha256", drift.sha256},
             {"seconds", number_json(drift.seconds)},
             {"turn_deg", number_json(drift.turn / degree)},
             {"rows", drift.rows},
@@ -66,14 +65,6 @@ Json log_json(const WholeAngleLog& log, const LogDrift& drift, bool left_out) {
             {"harmonics", harmonics},
             {"covariance_deg_h2", covariance_json(drift.covariance)},
             {"noise", series_noise_json(drift.noise)}};
-}
-
-Json held_json(const HeldResonator& resonator) {
-    return {{"damping_anisotropy_per_s", quantity_json(resonator.damping_anisotropy_per_s)},
-            {"theta_tau_rad", quantity_json(resonator.theta_tau_rad)},
-            {"tau_s", quantity_json(resonator.tau_s)},
-            {"split_hz", quantity_json(resonator.split_hz)},
-            {"theta_w_rad", quantity_json(resonator.theta_w_rad)}};
 }
 
 }  // namespace
@@ -87,10 +78,10 @@ Estimate degrees_per_hour(Estimate rad_per_s) {
 }
 
 std::string drift_json(const std::string& program, const DriftOutcome& outcome) {
-    const auto& [logs, settings, drift] = outcome;
+    const auto& [settings, drift] = outcome;
     Json inputs = Json::array();
-    for (std::size_t k = 0; k < logs.size(); ++k) {
-        inputs.push_back(log_json(logs[k], drift.logs[k], drift.left_out == k));
+    for (std::size_t k = 0; k < drift.logs.size(); ++k) {
+        inputs.push_back(log_json(drift.logs[k], drift.left_out == k));
     }
     Json harmonics;
     for (std::size_t k = 0; k < drift.harmonics.size(); ++k) {
@@ -115,15 +106,15 @@ std::string drift_json(const std::string& program, const DriftOutcome& outcome) 
                       {"harmonics", harmonics},
                       {"covariance_deg_h2", covariance_json(drift.covariance)},
                       {"agreement", list_json(drift.agreement, agreement)},
-                      {"resonator", held_json(drift.resonator)},
+                      {"resonator", parameters_json(drift.resonator, held_parameters)},
                       {"logs", inputs},
                       {"bins", list_json(drift.bins, bin)}});
 }
 
 std::string drift_csv(const std::string& program, const DriftOutcome& outcome) {
-    const auto& [logs, settings, drift] = outcome;
+    const auto& [settings, drift] = outcome;
     std::string text = "# " + program + "\n# drift of whole-angle logs, less the turn of each\n";
-    for (const WholeAngleLog& log : logs) {
+    for (const LogDrift& log : drift.logs) {
         text += "# input: " + plain_text(log.name) + ", sha256 " + log.sha256 + "\n";
     }
     for (const auto& [name, value] : settings_list(settings)) {

@@ -1,6 +1,5 @@
 #include "ui/document/drift_store.h"
 
-#include "core/drift/whole_angle_log.h"
 #include "ui/values/recording_set.h"
 
 #include <QFileInfo>
@@ -14,21 +13,6 @@ namespace vybeg::ui {
 namespace {
 
 constexpr int job_key = -1;  // those of recordings and requests are positive
-
-Result<DriftOutcome> driftOf(const std::vector<std::filesystem::path>& paths,
-                             const DriftSettings& settings, const JobControl& job) {
-    DriftOutcome outcome;
-    outcome.settings = settings;
-    for (const std::filesystem::path& path : paths) {
-        auto log = TRY(read_whole_angle_log(path, settings.open, settings.log, job));
-        outcome.logs.push_back(std::move(log));
-    }
-    outcome.drift = TRY(whole_angle_drift(outcome.logs, job, pick_offs(settings.tolerance)));
-    for (WholeAngleLog& log : outcome.logs) {
-        log = {std::move(log.name), std::move(log.sha256), {}, {}, {}, {}};
-    }
-    return outcome;
-}
 
 }  // namespace
 
@@ -96,7 +80,7 @@ void DriftStore::compute() {
     job_.run<DriftOutcome>(
         job_key,
         [paths = std::move(paths), settings = input_.settings](const JobControl& job) {
-            return driftOf(paths, settings, job);
+            return drift_of_logs(paths, settings, job);
         },
         [this](Result<DriftOutcome>&& result) { take(std::move(result)); });
 }
@@ -104,7 +88,7 @@ void DriftStore::compute() {
 void DriftStore::take(Result<DriftOutcome>&& result) {
     if (result) {
         for (std::size_t k = 0; k < input_.logs.size(); ++k) {
-            input_.logs[k].sha256 = result->logs[k].sha256;
+            input_.logs[k].sha256 = result->drift.logs[k].sha256;
         }
         outcome_ = std::make_shared<const DriftOutcome>(std::move(*result));
         emit settled(Topic::drift);

@@ -42,7 +42,6 @@ public:
 
     bool computing() const { return !input_.logs.empty() && !outcome_ && !failure_; }
     // Of the present logs and settings; null where it is computed yet or there is none.
-    // Of its logs name and SHA-256 alone.
     std::shared_ptr<const DriftOutcome> outcome() const { return outcome_; }
     // Why there is none.
     const std::optional<Error>& failure() const { return failure_; }

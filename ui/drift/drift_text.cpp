@@ -171,29 +171,18 @@ std::vector<QuantityRow> logRows(const WholeAngleDrift& drift, const DisplayUnit
 }
 
 std::vector<QuantityRow> heldRows(const HeldResonator& resonator, const DisplayUnits& units) {
-    struct Held {
-        const char* name;  // as in resonator_parameters.h
-        const char* unit;
-        const Estimate& estimate;
-        QString tip;
-    };
-    const std::array<Held, 5> parameters{{
-        {"damping_anisotropy_per_s", "1/s", resonator.damping_anisotropy_per_s,
-         DriftWords::tr("Four times the fourth harmonic of the drift")},
-        {"theta_tau_rad", "rad", resonator.theta_tau_rad,
-         DriftWords::tr("Axis of larger damping, from the drift")},
-        {"tau_s", "s", resonator.tau_s,
-         DriftWords::tr("2ρ/g, ρ the fourth harmonic of the amplitude effort over its mean")},
-        {"split_hz", "Hz", resonator.split_hz,
-         DriftWords::tr("From the quadrature effort against the amplitude effort")},
-        {"theta_w_rad", "rad", resonator.theta_w_rad,
-         DriftWords::tr("Axis of the mode with the higher frequency, from the quadrature effort")},
-    }};
+    const std::array<QString, held_parameters.size()> tips{
+        DriftWords::tr("Four times the fourth harmonic of the drift"),
+        DriftWords::tr("Axis of larger damping, from the drift"),
+        DriftWords::tr("2ρ/g, ρ the fourth harmonic of the amplitude effort over its mean"),
+        DriftWords::tr("From the quadrature effort against the amplitude effort"),
+        DriftWords::tr("Axis of the mode with the higher frequency, from the quadrature effort")};
     std::vector<QuantityRow> rows;
-    for (const Held& each : parameters) {
-        Shown shown = shownAs(each.name, each.unit, units);
-        shown.tip = each.tip;
-        rows.push_back(rowOf(shown, {cellOf(each.estimate, shown.factor)}));
+    for (std::size_t k = 0; k < tips.size(); ++k) {
+        const ParameterOf<HeldResonator>& parameter = held_parameters.at(k);
+        Shown shown = shownAs(parameter.name, parameter.unit, units);
+        shown.tip = tips.at(k);
+        rows.push_back(rowOf(shown, {cellOf(resonator.*parameter.member, shown.factor)}));
     }
     return rows;
 }

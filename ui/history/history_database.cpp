@@ -83,7 +83,7 @@ Result<ResultsDatabase> opened(Document& document, const QString& path,
             },
             Qt::QueuedConnection);
     };
-    return ResultsDatabase::open(path.toStdU16String(), access, job, patience_s, tell);
+    return ResultsDatabase::open(path.toStdU16String(), access, job, tell, patience_s);
 }
 
 template <class Value>
@@ -207,22 +207,19 @@ void storeUnder(const DatabaseJob& job, const QString& gyro, const QString& date
             recording.conditions.date = date.toStdString();
         }
     }
-    inDatabase<std::optional<StoredName>>(
+    inDatabase<AddedResult>(
         job, ResultsDatabase::Access::write,
-        [result =
-             std::move(result)](ResultsDatabase& database) -> Result<std::optional<StoredName>> {
+        [result = std::move(result)](ResultsDatabase& database) -> Result<AddedResult> {
             const auto stored = TRY(stored_result(result, identify_json(result)));
-            const auto known = database.holder(stored.key);
-            const Result<std::int64_t> id = known ? database.add(stored) : known.error();
-            return id ? known : id.error();
+            return database.add(stored);
         },
         [&document = job.document, name = QFileInfo(job.path).fileName(), gyro,
-         added](const Result<std::optional<StoredName>>& replaced) {
-            if (!replaced) {
-                document.report(errorMessage(replaced.error()));
+         added](const Result<AddedResult>& done) {
+            if (!done) {
+                document.report(errorMessage(done.error()));
                 return;
             }
-            const auto text = [gyro, name, replaced = *replaced] {
+            const auto text = [gyro, name, replaced = done->replaced] {
                 return replaced ? StoreWords::tr(
                                       "The result of %1 replaces that of %3 (set %4) in %2: "
                                       "the same recordings and settings.")

@@ -401,8 +401,8 @@ ReportText reportTextOf(const ReportContent& content, const QString& program, QD
     for (const ReportRecording& recording : content.recordings) {
         names << recording.name;
     }
-    for (std::size_t k = 0; ofLogsAlone(content) && k < content.drift->logs.size(); ++k) {
-        names << QString::fromStdString(content.drift->logs[k].name);
+    for (std::size_t k = 0; ofLogsAlone(content) && k < content.drift->drift.logs.size(); ++k) {
+        names << QString::fromStdString(content.drift->drift.logs[k].name);
     }
     const QString& gyro = content.title.gyro;
     ReportText text =

@@ -61,11 +61,11 @@ constexpr qsizetype most_logs = 3;
 
 QString filesOf(const DriftOutcome& outcome) {
     HtmlTable table{{}, {}, {30, 70}, true};
-    for (std::size_t k = 0; k < outcome.logs.size(); ++k) {
+    for (std::size_t k = 0; k < outcome.drift.logs.size(); ++k) {
         table.rows.push_back(
             {QStringLiteral("<b>%1</b>").arg(logName(outcome.drift, k).toHtmlEscaped()),
              QStringLiteral("SHA-256: ") +
-                 monospaced(QString::fromStdString(outcome.logs[k].sha256))});
+                 monospaced(QString::fromStdString(outcome.drift.logs[k].sha256))});
     }
     return html(table);
 }

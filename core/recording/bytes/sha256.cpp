@@ -81,9 +81,10 @@ Result<std::string> file_sha256(const std::filesystem::path& path, const JobCont
     return files_sha256(std::array{file->get()}, job);
 }
 
-void add_part(std::string& text, std::string_view part) {
-    text += std::to_string(part.size()) + ":";
-    text += part;
+void add_parts(std::string& text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) {
+        text += std::to_string(part.size()) + ":" + part;
+    }
 }
 
 }  // namespace vybeg

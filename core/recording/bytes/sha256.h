@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vybeg {
 
@@ -21,9 +22,9 @@ Result<std::string> files_sha256(std::span<const FileBytes* const> files, const 
 // The same of a text.
 Result<std::string> text_sha256(std::string_view text);
 
-// Adds a part to a text that is hashed, its length before it: no two lists of parts give the same
-// text.
-void add_part(std::string& text, std::string_view part);
+// Adds parts to a text that is hashed, each with its length before it: no two lists of parts give
+// the same text.
+void add_parts(std::string& text, const std::vector<std::string>& parts);
 
 // Loads what OpenSSL loads on first use. Call it before parallel hashing, because loading in one
 // thread while another runs out of memory may terminate the program.

@@ -21,6 +21,9 @@ struct ParameterOf {
     double period = 0;  // of an axis, rad; 0 for values that are no angles
 };
 
+// The units at the ends of these names, a longer one before its own ending.
+inline constexpr std::array name_units{"_hz_per_s", "_rad_s", "_per_s", "_rad", "_hz", "_s"};
+
 // Of a resonator. Files and comparison iterate over this list.
 using ResonatorParameter = ParameterOf<ResonatorEstimate>;
 

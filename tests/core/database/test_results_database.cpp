@@ -67,7 +67,7 @@ class TestResultsDatabase : public QObject {
     std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
     static Result<ResultsDatabase> open(const std::string& path, Access access = Access::write,
                                         double patience_s = 20) {
-        return ResultsDatabase::open(path, access, JobControl(), patience_s);
+        return ResultsDatabase::open(path, access, JobControl(), {}, patience_s);
     }
     // The sentence of a file that is refused for writing and for reading.
     void refuses(const char* name, const QString& reason) const {
@@ -85,9 +85,9 @@ private slots:
         auto database = open(path("fields.db"));
         QVERIFY(bool(database));
         const StoredResult written = made_result(3);
-        const auto id = database->add(written);
-        QVERIFY(bool(id));
-        const auto got = database->result(*id);
+        const auto added = database->add(written);
+        QVERIFY(bool(added));
+        const auto got = database->result(added->id);
         QVERIFY(got && *got);
         const StoredResult& read = **got;
         QCOMPARE(read.key, written.key);
@@ -133,8 +133,10 @@ private slots:
         result.parameters.resize(3);
         const auto again = database->add(result);
         QVERIFY(first && again);
-        QCOMPARE(*again, *first);
-        const auto read = database->result(*first);
+        QCOMPARE(again->id, first->id);
+        QVERIFY(!first->replaced);
+        QVERIFY(again->replaced == StoredName(made_result(1)));
+        const auto read = database->result(first->id);
         QCOMPARE((*read)->gyro, std::string("G8"));
         QCOMPARE((*read)->recordings.size(), std::size_t{1});
         QCOMPARE(rows_of(folder_.filePath("twice.db"),
@@ -227,7 +229,7 @@ private slots:
                      "was changed there.");
         std::stop_source stop;
         auto patient = ResultsDatabase::open(path("locked.db"), Access::write,
-                                             JobControl(stop.get_token()), 3600);
+                                             JobControl(stop.get_token()), {}, 3600);
         QVERIFY(bool(patient));
         stop.request_stop();
         const auto stopped = patient->add(made_result(1));
@@ -239,9 +241,9 @@ private slots:
 
     void a_long_wait_is_told_once() {
         std::vector<Diagnostic> told;
-        auto database =
-            ResultsDatabase::open(path("waits.db"), Access::write, JobControl(), 0.7,
-                                  [&](const Diagnostic& each) { told.push_back(each); });
+        auto database = ResultsDatabase::open(
+            path("waits.db"), Access::write, JobControl(),
+            [&](const Diagnostic& each) { told.push_back(each); }, 0.7);
         QVERIFY(bool(database));
         QVERIFY(bool(database->add(made_result(1))));
         QVERIFY(told.empty());
@@ -258,10 +260,10 @@ private slots:
     void a_result_gets_the_number_that_is_wanted_where_it_is_free() {
         auto database = open(path("numbers.db"));
         QCOMPARE(*database->last_id(), std::int64_t{0});
-        QCOMPARE(*database->add(made_result(1), 7), std::int64_t{7});
-        QCOMPARE(*database->add(made_result(2), 5), std::int64_t{5});
-        QCOMPARE(*database->add(made_result(3), 7), std::int64_t{8});
-        QCOMPARE(*database->add(made_result(2), 20), std::int64_t{5});  // keeps its own
+        QCOMPARE(database->add(made_result(1), 7)->id, std::int64_t{7});
+        QCOMPARE(database->add(made_result(2), 5)->id, std::int64_t{5});
+        QCOMPARE(database->add(made_result(3), 7)->id, std::int64_t{8});
+        QCOMPARE(database->add(made_result(2), 20)->id, std::int64_t{5});  // keeps its own
         QCOMPARE(*database->last_id(), std::int64_t{8});
     }
 
@@ -276,7 +278,7 @@ private slots:
         std::int64_t id = 0;
         {
             auto database = open(path("packed.db"));
-            id = *database->add(result);
+            id = database->add(result)->id;
             QCOMPARE((**database->result(id)).json, result.json);
         }
         VYBEG_LESS(content(folder_.filePath("packed.db")).size(), 100000);
@@ -294,7 +296,7 @@ private slots:
         {
             auto database = open(path("schema1.db"));
             QVERIFY(bool(database));
-            id = *database->add(made_result(1));
+            id = database->add(made_result(1))->id;
         }
         QVERIFY(run_sql(file, "DROP VIEW history"));
         QVERIFY(run_sql(file, "ALTER TABLE result DROP COLUMN warnings"));
@@ -316,7 +318,7 @@ private slots:
         QVERIFY(bool(database));
         const auto later = database->add(made_result(2));
         QVERIFY(bool(later));
-        const auto got = database->result(*later);
+        const auto got = database->result(later->id);
         QVERIFY(got && *got);
         QVERIFY((**got).recordings[0].open == made_opening());
         QCOMPARE((**got).warnings, made_result(2).warnings);
@@ -333,18 +335,18 @@ private slots:
         }
         auto database = open(path("packed.db"));
         QVERIFY(bool(database));
-        const auto id = database->add(result);
-        QVERIFY(bool(id));
+        const auto added = database->add(result);
+        QVERIFY(bool(added));
         const auto stored = rows_of(file,
                                     "SELECT typeof(json), length(json) < 2000, "
                                     "typeof(raw_covariance) FROM document");
         QCOMPARE(stored, (QList<QStringList>{{"blob", "1", "blob"}}));
-        QCOMPARE((**database->result(*id)).json, result.json);
+        QCOMPARE((**database->result(added->id)).json, result.json);
 
         QVERIFY(run_sql(file,
                         "UPDATE document SET json = '{\"a\": 1}', "
                         "raw_covariance = '[1.0,2.0,2.0,null]'; PRAGMA user_version = 3"));
-        const auto plain = open(path("packed.db"), Access::read)->result(*id);
+        const auto plain = open(path("packed.db"), Access::read)->result(added->id);
         QVERIFY(plain && *plain);
         QCOMPARE((**plain).json, std::string("{\"a\": 1}"));
         QVERIFY(bool(open(path("packed.db"))));
@@ -355,15 +357,15 @@ private slots:
     void a_packed_text_that_is_damaged_or_too_long_is_an_error() {
         const QString file = folder_.filePath("bomb.db");
         auto database = open(path("bomb.db"));
-        const auto id = database->add(made_result(1));
-        QVERIFY(bool(id));
+        const auto added = database->add(made_result(1));
+        QVERIFY(bool(added));
         // qCompress() writes four bytes of size before zlib's stream.
         const QByteArray packed = qCompress(QByteArray(70 << 20, ' '), 9).mid(4);
         for (const QByteArray& blob :
              {QByteArray("no stream"), packed.left(packed.size() / 2), packed}) {
             const QByteArray sql = "UPDATE document SET json = x'" + blob.toHex() + "'";
             QVERIFY(run_sql(file, sql.constData()));
-            const auto read = database->result(*id);
+            const auto read = database->result(added->id);
             QVERIFY(!read);
             const QString sentence = QString::fromStdString(english(read.error()));
             QVERIFY2(sentence.contains("the database is damaged"), qPrintable(sentence));
