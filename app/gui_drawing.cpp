@@ -1,6 +1,5 @@
 #include "app/gui_drawing.h"
 
-#include "app/cli_support.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
@@ -156,15 +155,8 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.signal = request.settings;
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
-    if (request.list.empty()) {
-        return list_of_files("", request.inputs, request.open, settings);
-    }
-    auto list = TRY(read_measurement_list(request.list, request.open, settings));
-    warn(list.warnings);
-    if (!request.set.empty()) {
-        TRY(keep_set(list, "--set", request.set));
-    }
-    return list;
+    Log log(to_people);
+    return sets_of(request, settings, log);
 }
 
 std::vector<InputPath> files_of(const GuiRequest& request,
