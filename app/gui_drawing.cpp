@@ -15,8 +15,6 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
-#include "core/track/events.h"
-#include "core/track/track_summary.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
@@ -70,17 +68,7 @@ Status check_request(const std::string& option, const std::string& output,
     return {};
 }
 
-// With its warnings. Errors: those of open_recording().
-Result<Recording> open_warned(const std::string& input, const OpenOptions& options,
-                              const JobControl& job) {
-    Result<Recording> recording = open_recording(input, options, job);
-    if (recording) {
-        warn(without_effect(options, *recording));
-    }
-    return recording;
-}
-
-// Likewise. Errors: those of analyse(), file_changed.
+// With its warnings. Errors: those of analyse(), file_changed.
 Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
                                 const JobControl& job) {
     Result<Analysis> analysis = analyse(recording, settings, job);
@@ -91,17 +79,15 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
     return analysis;
 }
 
-// For display, in the style of that number; its name is the window.
-ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
-    const ui::CurveStyle style = ui::curveStyle(index);
-    ui::ShownAnalysis shown;
-    shown.id = static_cast<ui::AnalysisId>(index + 1);
-    shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
-    shown.recording = QString::fromStdString(recording.path.filename().string());
-    shown.color = style.color;
-    shown.rate_hz = recording.rate_hz;
-    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
-    return shown;
+// In the colour of that number; its name is the window.
+ui::AnalysisEntry shown_analysis(const Recording& recording, Analysis analysis, std::size_t index) {
+    ui::AnalysisEntry entry;
+    entry.shown = ui::shownOf(recording);
+    entry.shown.id = static_cast<ui::AnalysisId>(index + 1);
+    entry.shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    entry.shown.color = ui::curveStyle(static_cast<int>(index)).color;
+    entry.take(ui::outcomeOf(std::move(analysis)));
+    return entry;
 }
 
 // The settings of the columns of one recording.
@@ -174,34 +160,26 @@ QString program_text() {
     return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
 }
 
-// A recording with its check and its analysis.
-Status add_recording(const Recording& recording, const Settings& settings, const JobControl& job,
-                     ui::ReportContent& content) {
+// With its check and its analysis in the colour of that number.
+Result<ui::ReportRecording> reported(const Recording& recording, const RecordingRef& listed,
+                                     const Settings& settings, std::size_t index,
+                                     const JobControl& job) {
+    warn(without_effect(listed.open, recording));
     auto analysis = TRY(analyse_warned(recording, settings, job));
     auto faults = TRY(inspect(recording, settings, job));
-    ui::ReportRecording told = ui::reportRecording(recording, {});
+    ui::ReportRecording told =
+        ui::reportRecording(recording, QString::fromStdString(listed.sha256));
     told.check = std::move(faults.findings);
-    const std::size_t index = content.recordings.size();
-    const TrackSummary means =
-        summarise(analysis.track, analysis.plan.independent(), analysis.f_correlation);
-    std::vector<Event> events = find_events(analysis.track);
-    content.analyses.push_back(
-        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
-         std::move(events)});
-    content.recordings.push_back(std::move(told));
-    return {};
+    told.conditions = ui::conditionsText(listed);
+    told.analyses.push_back(shown_analysis(recording, std::move(analysis), index));
+    return told;
 }
 
-Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& content) {
-    TRY(read_contents(open, job.stop_token()));
-    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
-        content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
-    }
+Status add_resonator(const OpenSet& open, const JobControl& job, ui::ReportContent& content) {
     Result<SetResult> found = identify_set(open, {}, {}, job);
-    for (const RecordingRef& log : open.set.recordings) {
-        if (open.set.settings.logs.given()) {
-            content.recordings.push_back(ui::reportLog(log));
-        }
+    if (open.set.settings.logs.given()) {
+        std::ranges::transform(open.set.recordings, std::back_inserter(content.recordings),
+                               ui::reportLog);
     }
     if (found) {
         content.outcome = std::make_shared<SetResult>(std::move(*found));
@@ -218,25 +196,17 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
 // What a report shows of a set, computed from its recordings: checks, analyses in the windows of
 // `track` with the set's signals, identification. What cannot be identified has its reason in it.
 // Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
-// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
-// file_changed, interrupted.
+// those of open_set(), analyse() and inspect(), file_changed, interrupted.
 Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
                                         const ui::ReportTitle& title, const JobControl& job) {
-    TRY(check_conditions(set));
-    OpenSet open;
-    open.set = set;
+    const auto open = TRY(open_set(set, "", job.stop_token()));
     ui::ReportContent content;
-    // Logs have no samples to analyse.
-    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
-    for (std::size_t k = 0; k < recordings; ++k) {
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         Settings settings = track;
         static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
         settings.threads = set.settings.threads;
-        const RecordingRef& listed = set.recordings[k];
-        auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
-        open.recordings.push_back(std::move(recording));
-        TRY(add_recording(open.recordings.back(), settings, job, content));
-        content.recordings.back().conditions = ui::conditionsText(listed);
+        auto told = TRY(reported(open.recordings[k], open.set.recordings[k], settings, k, job));
+        content.recordings.push_back(std::move(told));
     }
     TRY(add_resonator(open, job, content));
     content.units.angle = ui::AngleUnit::degrees;
@@ -433,11 +403,12 @@ Status draw_figure(const GuiRequest& request, std::stop_token stop) {
     const JobControl job(stop);
     std::vector<ui::FigureColumn> columns;
     for (const std::string& input : request.inputs) {
-        const auto recording = TRY(open_warned(input, request.open, job));
+        const auto recording = TRY(open_recording(input, request.open, job));
+        warn(without_effect(request.open, recording));
         for (const Settings& settings : columns_of(request)) {
             auto analysis = TRY(analyse_warned(recording, settings, job));
             ui::ShownAnalysis shown =
-                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
+                shown_analysis(recording, std::move(analysis), columns.size()).shown;
             const QString title = request.inputs.size() > 1
                                       ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
                                       : shown.name;

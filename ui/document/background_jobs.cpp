@@ -40,23 +40,7 @@ std::filesystem::path toPath(const QString& path) {
     return std::filesystem::path(path.toStdU16String());
 }
 
-// An analysis as the window takes it.
-AnalysisOutcome outcomeOf(Analysis found) {
-    AnalysisOutcome outcome;
-    const WindowPlan& plan = found.plan;
-    outcome.summary = summarise(found.track, plan.independent(), found.f_correlation);
-    // Between windows that lie far apart anything may have happened.
-    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
-        outcome.events = find_events(found.track);
-    }
-    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
-    for (const auto& curve : curvesOf(outcome.analysis)) {
-        outcome.curves.push_back(freedInBackground(curve));
-    }
-    return outcome;
-}
-
-Result<AnalysisOutcome> outcomeOf(const Recording& recording, Result<Analysis> found) {
+Result<AnalysisOutcome> outcomeIfUnchanged(const Recording& recording, Result<Analysis> found) {
     TRY(unchanged(recording));
     return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
 }
@@ -76,6 +60,21 @@ int firstKey(const std::map<int, Request>& requests, Condition condition) {
 }
 
 }  // namespace
+
+AnalysisOutcome outcomeOf(Analysis found) {
+    AnalysisOutcome outcome;
+    const WindowPlan& plan = found.plan;
+    outcome.summary = summarise(found.track, plan.independent(), found.f_correlation);
+    // Between windows that lie far apart anything may have happened.
+    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
+        outcome.events = find_events(found.track);
+    }
+    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
+    for (const auto& curve : curvesOf(outcome.analysis)) {
+        outcome.curves.push_back(freedInBackground(curve));
+    }
+    return outcome;
+}
 
 BackgroundJobs::BackgroundJobs() {
     // More than processors: most of them wait for a disk, and none may keep a file from opening.
@@ -192,8 +191,8 @@ void BackgroundJobs::analyse(int key, const Recording& recording, const Settings
         analyses_, {Kind::analysis, key},
         [this, key, recording, settings](const Ticket& ticket) {
             tellProgress(key, 0);
-            return outcomeOf(recording,
-                             vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
+            return outcomeIfUnchanged(
+                recording, vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
         },
         std::move(done));
 }
@@ -208,8 +207,9 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
             const EarlySink show = [&](Analysis some) {
                 post(ticket, [early, outcome = outcomeOf(std::move(some))] { early(outcome); });
             };
-            return outcomeOf(recording, analyse_visible_first(recording, settings, visible, show,
-                                                              reporting(key, ticket.stop)));
+            return outcomeIfUnchanged(recording,
+                                      analyse_visible_first(recording, settings, visible, show,
+                                                            reporting(key, ticket.stop)));
         },
         std::move(done));
 }

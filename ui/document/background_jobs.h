@@ -44,6 +44,8 @@ struct AnalysisOutcome {
     std::vector<Event> events;
 };
 
+AnalysisOutcome outcomeOf(Analysis found);
+
 // What a job does in the background, and what gets its result in the window's thread.
 template <class Value>
 using Work = std::function<Result<Value>(const JobControl&)>;
