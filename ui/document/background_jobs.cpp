@@ -9,6 +9,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -214,17 +215,17 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
         std::move(done));
 }
 
-void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
-    start<Result<SetResult>>(
+void BackgroundJobs::identify(int key, OpenSet open, Done<SavedResult> done) {
+    start<Result<SavedResult>>(
         analyses_, {Kind::identification, key},
-        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SetResult> {
+        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SavedResult> {
             tellProgress(key, 0);
             const JobControl job = reporting(key, ticket.stop);
             OpenSet read = open;
             TRY(read_contents(read, ticket.stop));
             auto result = TRY(identify_set(read, programName().toStdString(), {}, job));
-            result.saved = saved_result_json(result);
-            return result;
+            const auto json = QByteArray::fromStdString(saved_result_json(result));
+            return SavedResult{std::move(result), QJsonDocument::fromJson(json).object(), {}};
         },
         std::move(done));
 }

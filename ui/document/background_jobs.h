@@ -102,7 +102,7 @@ public:
     void sweepWindows(int key, const Recording& recording, const Settings& settings,
                       const std::vector<std::int64_t>& lengths, Done<WindowSweep> done);
     // One resonator behind all recordings.
-    void identify(int key, OpenSet open, Done<SetResult> done);
+    void identify(int key, OpenSet open, Done<SavedResult> done);
     // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
