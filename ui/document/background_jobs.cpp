@@ -4,7 +4,6 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/recording.h"
-#include "core/sweep/window_sweep.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>
@@ -140,16 +139,6 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
         std::move(done));
 }
 
-void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& options,
-                             Done<RecordingPreview> done) {
-    start<Result<RecordingPreview>>(
-        openings_, {Kind::preview, key},
-        [path = toPath(path), options](const Ticket& ticket) {
-            return preview_recording(path, options, JobControl(ticket.stop));
-        },
-        std::move(done));
-}
-
 void BackgroundJobs::buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                                    Done<std::shared_ptr<const Envelope>> done) {
     using Picture = std::shared_ptr<const Envelope>;
@@ -226,20 +215,6 @@ void BackgroundJobs::identify(int key, OpenSet open, Done<SavedResult> done) {
             auto result = TRY(identify_set(read, programName().toStdString(), {}, job));
             const auto json = QByteArray::fromStdString(saved_result_json(result));
             return SavedResult{std::move(result), QJsonDocument::fromJson(json).object(), {}};
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Settings& settings,
-                                  const std::vector<std::int64_t>& lengths,
-                                  Done<WindowSweep> done) {
-    start<Result<WindowSweep>>(
-        others_, {Kind::sweep, key},
-        [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
-            Result<WindowSweep> found =
-                sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
-            TRY(unchanged(recording));
-            return found;
         },
         std::move(done));
 }
