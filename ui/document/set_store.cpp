@@ -102,8 +102,7 @@ SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, Recording
       ids_(ids),
       steps_(steps) {
     // Outcomes of other settings are out of date.
-    connect(&settings_, &SettingsModel::settingsChanged, this, &SetStore::changed);
-    connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
+    connect(&settings_, &SettingsModel::changed, this, &SetStore::changed);
 }
 
 const RecordingSet* SetStore::find(SetId id) const {
