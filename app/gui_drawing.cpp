@@ -24,7 +24,6 @@
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
 
-#include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QTimer>
@@ -156,10 +155,6 @@ std::vector<InputPath> files_of(const GuiRequest& request,
     return files;
 }
 
-QString program_text() {
-    return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
-}
-
 // With its check and its analysis in the colour of that number.
 Result<ui::ReportRecording> reported(const Recording& recording, const RecordingRef& listed,
                                      const Settings& settings, std::size_t index,
@@ -217,26 +212,20 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Setting
     return content;
 }
 
-Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& list,
-                              const JobControl& job) {
-    auto content = TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
-    content.summary = request.summary;
-    return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
-                         ui::drawnFigures(content));
-}
-
-// Set by set: only texts and figures stay in memory.
-Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
-                              const JobControl& job) {
+// Set by set: only texts and figures stay in memory. A single set has no chapter; where it fails,
+// the report does.
+Result<QByteArray> pdf_of(const GuiRequest& request, const MeasurementList& list,
+                          const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
     std::vector<ui::ReportFigure> figures;
     ui::DisplayUnits units;
     units.angle = ui::AngleUnit::degrees;
+    const bool one = list.sets.size() == 1;
     for (const MeasurementSet& set : list.sets) {
         Result<ui::ReportContent> content =
             report_of_set(set, request.settings, request.title, job);
         if (!content) {
-            if (ends_all(content.error().code)) {
+            if (one || ends_all(content.error().code)) {
                 return content.error();
             }
             (void)fail(content.error());
@@ -247,14 +236,16 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
             content = std::move(without);
         }
         content->summary = request.summary;
+        if (one) {
+            return ui::reportPdf(ui::reportTextOf(*content), ui::drawnFigures(*content));
+        }
         content->set = QString::fromStdString(set.name);
         content->chapter = static_cast<int>(chapters.size()) + 1;
         chapters.push_back(ui::chapterOf(*content));
         std::ranges::move(ui::drawnFigures(*content), std::back_inserter(figures));
     }
     const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
-    return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
-                         figures);
+    return ui::reportPdf(ui::reportTextOf(about, chapters, units), figures);
 }
 
 using namespace vybeg::ui;
@@ -377,8 +368,7 @@ Status write_report_of_files(const GuiRequest& request, std::stop_token stop) {
     const auto list = TRY(wanted_sets(request));
     TRY(check_request("--report", request.report, files_of(request, list.sets), request.settings));
     const JobControl job(std::move(stop));
-    const auto pdf = TRY(list.sets.size() == 1 ? pdf_of_one(request, list, job)
-                                               : pdf_of_all(request, list, job));
+    const auto pdf = TRY(pdf_of(request, list, job));
     return write_file(request.report, {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
 }
 
