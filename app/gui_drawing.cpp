@@ -266,20 +266,6 @@ Status wait_until(const std::function<bool()>& done, const std::stop_token& stop
     return stop.stop_requested() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
 }
 
-// Whether every recording is open and has, where it is analysed, its hash and its check, and no
-// analysis and no drift is under way.
-bool is_whole(const Document& document) {
-    const auto is_analysed = [&document](const RecordingEntry& entry) {
-        return std::ranges::find(document.analyses(), entry.id, &ui::AnalysisEntry::recording_id) !=
-               document.analyses().end();
-    };
-    return !document.busy() && !document.drift().computing() &&
-           std::ranges::all_of(document.recordings(), [&](const RecordingEntry& entry) {
-               const bool checked = !entry.sha256.isEmpty() && entry.faults;
-               return entry.recording && (checked || !is_analysed(entry));
-           });
-}
-
 // Sets that the session brings without a result that still holds.
 void identify_the_rest(Document& document) {
     for (const RecordingSet& set : document.sets().all()) {
@@ -329,7 +315,7 @@ Result<int> write_session_report(const GuiRequest& request, std::stop_token stop
     if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
         return exit_status(ErrorCode::format_damaged);  // the message has told why
     }
-    const auto ready = [&] { return !session.isOpening() && is_whole(document); };
+    const auto ready = [&] { return !session.isOpening() && !document.working(); };
     TRY(wait_until(ready, stop));
     TRY(check_request("--report", request.report, recording_files(request, document),
                       request.settings));
