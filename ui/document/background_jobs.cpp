@@ -36,10 +36,6 @@ std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> valu
             }};
 }
 
-std::filesystem::path toPath(const QString& path) {
-    return std::filesystem::path(path.toStdU16String());
-}
-
 Result<AnalysisOutcome> outcomeIfUnchanged(const Recording& recording, Result<Analysis> found) {
     TRY(unchanged(recording));
     return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
@@ -125,7 +121,8 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
                           std::function<void(const QuickOverview&)> looked, Done<Recording> done) {
     start<Result<Recording>>(
         openings_, {Kind::open, key},
-        [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
+        [this, path = std::filesystem::path(path.toStdU16String()), options,
+         looked = std::move(looked)](const Ticket& ticket) {
             const JobControl job(ticket.stop, {}, stopwatch());
             if (const auto look = quick_overview(path, options, job)) {
                 post(ticket, [looked, look = *look] { looked(look); });
