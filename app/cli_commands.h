@@ -35,15 +35,11 @@ struct AnalyzeRequest {
 };
 
 // `identify` and, with a passport to compare with, `compare`.
-struct IdentifyRequest {
-    std::vector<std::string> inputs;
-    std::string list;          // in place of the inputs; empty: none
-    std::string set;           // of the list; empty: its only one
+struct IdentifyRequest : NamedRecordings {
     std::string output;        // empty: a summary for people on standard output; "-": JSON there
     std::string new_passport;  // --passport; empty: none
     std::string database;      // --database; empty: none
     std::string old_passport;  // of compare; empty: none
-    OpenOptions open;
     IdentifySettings settings;
     CompareOptions compare;
 };

@@ -218,20 +218,6 @@ std::string identify_text(const SetResult& result) {
     return text;
 }
 
-// The recordings of the command line as one set, or that of the list.
-Result<MeasurementList> wanted_set(const IdentifyRequest& request, Log& log) {
-    if (request.list.empty()) {
-        return list_of_files(request.inputs.front(), request.inputs, request.open,
-                             request.settings);
-    }
-    auto list = TRY(read_measurement_list(request.list, request.open, request.settings));
-    log.warnings(list.warnings);
-    if (!request.set.empty() || list.sets.size() > 1) {
-        TRY(keep_set(list, "--set", request.set));
-    }
-    return list;
-}
-
 Status check_paths(const IdentifyRequest& request, const MeasurementSet& set) {
     std::vector<InputPath> inputs{{request.old_passport, "it is the passport to compare with"},
                                   {request.list, "it is the list of the recordings"}};
@@ -284,7 +270,10 @@ void tell_timing(const IdentifyTiming& timing, double open_s, double write_s, co
 Status run_identify(const IdentifyRequest& request, Log& log, std::stop_token stop) {
     TRY(validate(request.settings));
     TRY(check_options(request.open));
-    const auto list = TRY(wanted_set(request, log));
+    auto list = TRY(sets_of(request, request.settings, log));
+    if (list.sets.size() > 1) {
+        TRY(keep_set(list, "--set", ""));
+    }
     const MeasurementSet& set = list.sets.front();
     const double begun = seconds_now();
     const auto open = TRY(open_set(set, request.old_passport, stop));

@@ -1,6 +1,7 @@
 #include "app/cli_support.h"
 
 #include "core/base/plain_text.h"
+#include "core/batch/batch_sets.h"
 #include "core/output/quantity_json.h"
 #include "core/output/quantity_text.h"
 #include "core/resonator/results/resonator_parameters.h"
@@ -38,6 +39,23 @@ Result<std::optional<OutputFile>> open_named(const std::string& name, const JobC
     }
     auto file = TRY(open_output(name, job));
     return std::optional(std::move(file));
+}
+
+Result<MeasurementList> sets_of(const NamedRecordings& named, const IdentifySettings& settings,
+                                Log& log) {
+    if (named.list.empty()) {
+        MeasurementSet set{named.inputs.front(), {}, settings};
+        for (const std::string& file : named.inputs) {
+            set.recordings.push_back({file, file, named.open});
+        }
+        return MeasurementList{{}, {std::move(set)}, {}};
+    }
+    auto list = TRY(read_measurement_list(named.list, named.open, settings));
+    log.warnings(list.warnings);
+    if (!named.set.empty()) {
+        TRY(keep_set(list, "--set", named.set));
+    }
+    return list;
 }
 
 Status write_text(const std::string& text, const JobControl& job) {

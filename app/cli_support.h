@@ -1,10 +1,13 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/analysis/identify_settings.h"
+#include "core/analysis/measurement_list.h"
 #include "core/base/diagnostic.h"
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/output/output_file.h"
+#include "core/recording/samples/open_options.h"
 #include "core/resonator/model/reason.h"
 
 #include <CLI/CLI.hpp>
@@ -79,6 +82,18 @@ JobControl silent_job(std::stop_token stop);
 
 // The file of an option; none where it is not given.
 Result<std::optional<OutputFile>> open_named(const std::string& name, const JobControl& job);
+
+// Recordings that a command line names: files, which are one set, or the sets of a list.
+struct NamedRecordings {
+    std::vector<std::string> inputs;
+    std::string list;  // measurement list in place of the inputs; empty: none
+    std::string set;   // of the list alone; empty: all, for a single result its only one
+    OpenOptions open;
+};
+
+// Errors: those of read_measurement_list() and keep_set().
+Result<MeasurementList> sets_of(const NamedRecordings& named, const IdentifySettings& settings,
+                                Log& log);
 
 // Text to standard output.
 Status write_text(const std::string& text, const JobControl& job);

@@ -1,6 +1,5 @@
 #include "app/gui_drawing.h"
 
-#include "app/cli_support.h"
 #include "core/analysis/analyse.h"
 #include "core/analysis/analysis.h"
 #include "core/analysis/identify.h"
@@ -16,8 +15,6 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/samples/open_table.h"
 #include "core/recording/samples/recording.h"
-#include "core/track/events.h"
-#include "core/track/track_summary.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
@@ -27,7 +24,6 @@
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
 
-#include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QTimer>
@@ -71,17 +67,7 @@ Status check_request(const std::string& option, const std::string& output,
     return {};
 }
 
-// With its warnings. Errors: those of open_recording().
-Result<Recording> open_warned(const std::string& input, const OpenOptions& options,
-                              const JobControl& job) {
-    Result<Recording> recording = open_recording(input, options, job);
-    if (recording) {
-        warn(without_effect(options, *recording));
-    }
-    return recording;
-}
-
-// Likewise. Errors: those of analyse(), file_changed.
+// With its warnings. Errors: those of analyse(), file_changed.
 Result<Analysis> analyse_warned(const Recording& recording, const Settings& settings,
                                 const JobControl& job) {
     Result<Analysis> analysis = analyse(recording, settings, job);
@@ -92,17 +78,15 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
     return analysis;
 }
 
-// For display, in the style of that number; its name is the window.
-ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
-    const ui::CurveStyle style = ui::curveStyle(index);
-    ui::ShownAnalysis shown;
-    shown.id = static_cast<ui::AnalysisId>(index + 1);
-    shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
-    shown.recording = QString::fromStdString(recording.path.filename().string());
-    shown.color = style.color;
-    shown.rate_hz = recording.rate_hz;
-    shown.analysis = std::make_shared<const Analysis>(std::move(analysis));
-    return shown;
+// In the colour of that number; its name is the window.
+ui::AnalysisEntry shown_analysis(const Recording& recording, Analysis analysis, std::size_t index) {
+    ui::AnalysisEntry entry;
+    entry.shown = ui::shownOf(recording);
+    entry.shown.id = static_cast<ui::AnalysisId>(index + 1);
+    entry.shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
+    entry.shown.color = ui::curveStyle(static_cast<int>(index)).color;
+    entry.take(ui::outcomeOf(std::move(analysis)));
+    return entry;
 }
 
 // The settings of the columns of one recording.
@@ -156,15 +140,8 @@ Result<MeasurementList> wanted_sets(const GuiRequest& request) {
     settings.signal = request.settings;
     settings.tolerance = request.identify.tolerance;
     settings.threads = request.settings.threads;
-    if (request.list.empty()) {
-        return list_of_files("", request.inputs, request.open, settings);
-    }
-    auto list = TRY(read_measurement_list(request.list, request.open, settings));
-    warn(list.warnings);
-    if (!request.set.empty()) {
-        TRY(keep_set(list, "--set", request.set));
-    }
-    return list;
+    Log log(to_people);
+    return sets_of(request, settings, log);
 }
 
 std::vector<InputPath> files_of(const GuiRequest& request,
@@ -178,38 +155,26 @@ std::vector<InputPath> files_of(const GuiRequest& request,
     return files;
 }
 
-QString program_text() {
-    return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
-}
-
-// A recording with its check and its analysis.
-Status add_recording(const Recording& recording, const Settings& settings, const JobControl& job,
-                     ui::ReportContent& content) {
+// With its check and its analysis in the colour of that number.
+Result<ui::ReportRecording> reported(const Recording& recording, const RecordingRef& listed,
+                                     const Settings& settings, std::size_t index,
+                                     const JobControl& job) {
+    warn(without_effect(listed.open, recording));
     auto analysis = TRY(analyse_warned(recording, settings, job));
     auto faults = TRY(inspect(recording, settings, job));
-    ui::ReportRecording told = ui::reportRecording(recording, {});
+    ui::ReportRecording told =
+        ui::reportRecording(recording, QString::fromStdString(listed.sha256));
     told.check = std::move(faults.findings);
-    const std::size_t index = content.recordings.size();
-    const TrackSummary means =
-        summarise(analysis.track, analysis.plan.independent(), analysis.f_correlation);
-    std::vector<Event> events = find_events(analysis.track);
-    content.analyses.push_back(
-        {shown_analysis(recording, std::move(analysis), static_cast<int>(index)), index, means,
-         std::move(events)});
-    content.recordings.push_back(std::move(told));
-    return {};
+    told.conditions = ui::conditionsText(listed);
+    told.analyses.push_back(shown_analysis(recording, std::move(analysis), index));
+    return told;
 }
 
-Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& content) {
-    TRY(read_contents(open, job.stop_token()));
-    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
-        content.recordings[k].sha256 = QString::fromStdString(open.set.recordings[k].sha256);
-    }
+Status add_resonator(const OpenSet& open, const JobControl& job, ui::ReportContent& content) {
     Result<SetResult> found = identify_set(open, {}, {}, job);
-    for (const RecordingRef& log : open.set.recordings) {
-        if (open.set.settings.logs.given()) {
-            content.recordings.push_back(ui::reportLog(log));
-        }
+    if (open.set.settings.logs.given()) {
+        std::ranges::transform(open.set.recordings, std::back_inserter(content.recordings),
+                               ui::reportLog);
     }
     if (found) {
         content.outcome = std::make_shared<SetResult>(std::move(*found));
@@ -226,25 +191,17 @@ Status add_resonator(OpenSet& open, const JobControl& job, ui::ReportContent& co
 // What a report shows of a set, computed from its recordings: checks, analyses in the windows of
 // `track` with the set's signals, identification. What cannot be identified has its reason in it.
 // Conditions of the set take precedence over `title`. Warnings go to standard error. Errors:
-// conditions_differ, those of open_recording(), analyse(), inspect(), read_contents(),
-// file_changed, interrupted.
+// those of open_set(), analyse() and inspect(), file_changed, interrupted.
 Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Settings& track,
                                         const ui::ReportTitle& title, const JobControl& job) {
-    TRY(check_conditions(set));
-    OpenSet open;
-    open.set = set;
+    const auto open = TRY(open_set(set, "", job.stop_token()));
     ui::ReportContent content;
-    // Logs have no samples to analyse.
-    const std::size_t recordings = set.settings.logs.given() ? 0 : set.recordings.size();
-    for (std::size_t k = 0; k < recordings; ++k) {
+    for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         Settings settings = track;
         static_cast<SignalSettings&>(settings) = set.settings.signal_of(k);
         settings.threads = set.settings.threads;
-        const RecordingRef& listed = set.recordings[k];
-        auto recording = TRY(open_warned(listed.path.string(), listed.open, job));
-        open.recordings.push_back(std::move(recording));
-        TRY(add_recording(open.recordings.back(), settings, job, content));
-        content.recordings.back().conditions = ui::conditionsText(listed);
+        auto told = TRY(reported(open.recordings[k], open.set.recordings[k], settings, k, job));
+        content.recordings.push_back(std::move(told));
     }
     TRY(add_resonator(open, job, content));
     content.units.angle = ui::AngleUnit::degrees;
@@ -255,26 +212,20 @@ Result<ui::ReportContent> report_of_set(const MeasurementSet& set, const Setting
     return content;
 }
 
-Result<QByteArray> pdf_of_one(const GuiRequest& request, const MeasurementList& list,
-                              const JobControl& job) {
-    auto content = TRY(report_of_set(list.sets.front(), request.settings, request.title, job));
-    content.summary = request.summary;
-    return ui::reportPdf(ui::reportTextOf(content, program_text(), ui::reportDay()),
-                         ui::drawnFigures(content));
-}
-
-// Set by set: only texts and figures stay in memory.
-Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& list,
-                              const JobControl& job) {
+// Set by set: only texts and figures stay in memory. A single set has no chapter; where it fails,
+// the report does.
+Result<QByteArray> pdf_of(const GuiRequest& request, const MeasurementList& list,
+                          const JobControl& job) {
     std::vector<ui::ReportChapter> chapters;
     std::vector<ui::ReportFigure> figures;
     ui::DisplayUnits units;
     units.angle = ui::AngleUnit::degrees;
+    const bool one = list.sets.size() == 1;
     for (const MeasurementSet& set : list.sets) {
         Result<ui::ReportContent> content =
             report_of_set(set, request.settings, request.title, job);
         if (!content) {
-            if (ends_all(content.error().code)) {
+            if (one || ends_all(content.error().code)) {
                 return content.error();
             }
             (void)fail(content.error());
@@ -285,14 +236,16 @@ Result<QByteArray> pdf_of_all(const GuiRequest& request, const MeasurementList& 
             content = std::move(without);
         }
         content->summary = request.summary;
+        if (one) {
+            return ui::reportPdf(ui::reportTextOf(*content), ui::drawnFigures(*content));
+        }
         content->set = QString::fromStdString(set.name);
         content->chapter = static_cast<int>(chapters.size()) + 1;
         chapters.push_back(ui::chapterOf(*content));
         std::ranges::move(ui::drawnFigures(*content), std::back_inserter(figures));
     }
     const QString about = QFileInfo(QString::fromStdString(request.list)).fileName();
-    return ui::reportPdf(ui::reportTextOf(about, chapters, units, program_text(), ui::reportDay()),
-                         figures);
+    return ui::reportPdf(ui::reportTextOf(about, chapters, units), figures);
 }
 
 using namespace vybeg::ui;
@@ -311,20 +264,6 @@ Status wait_until(const std::function<bool()>& done, const std::stop_token& stop
     tick.start(tick_ms);
     loop.exec();
     return stop.stop_requested() ? Status(Error{ErrorCode::interrupted, {}, {}}) : Status();
-}
-
-// Whether every recording is open and has, where it is analysed, its hash and its check, and no
-// analysis and no drift is under way.
-bool is_whole(const Document& document) {
-    const auto is_analysed = [&document](const RecordingEntry& entry) {
-        return std::ranges::find(document.analyses(), entry.id, &ui::AnalysisEntry::recording_id) !=
-               document.analyses().end();
-    };
-    return !document.busy() && !document.drift().computing() &&
-           std::ranges::all_of(document.recordings(), [&](const RecordingEntry& entry) {
-               const bool checked = !entry.sha256.isEmpty() && entry.faults;
-               return entry.recording && (checked || !is_analysed(entry));
-           });
 }
 
 // Sets that the session brings without a result that still holds.
@@ -376,7 +315,7 @@ Result<int> write_session_report(const GuiRequest& request, std::stop_token stop
     if (!session.openSession(QString::fromStdString(request.inputs.front()))) {
         return exit_status(ErrorCode::format_damaged);  // the message has the reason
     }
-    const auto ready = [&] { return !session.isOpening() && is_whole(document); };
+    const auto ready = [&] { return !session.isOpening() && !document.working(); };
     TRY(wait_until(ready, stop));
     TRY(check_request("--report", request.report, recording_files(request, document),
                       request.settings));
@@ -415,8 +354,7 @@ Status write_report_of_files(const GuiRequest& request, std::stop_token stop) {
     const auto list = TRY(wanted_sets(request));
     TRY(check_request("--report", request.report, files_of(request, list.sets), request.settings));
     const JobControl job(std::move(stop));
-    const auto pdf = TRY(list.sets.size() == 1 ? pdf_of_one(request, list, job)
-                                               : pdf_of_all(request, list, job));
+    const auto pdf = TRY(pdf_of(request, list, job));
     return write_file(request.report, {pdf.constData(), static_cast<std::size_t>(pdf.size())}, job);
 }
 
@@ -441,11 +379,12 @@ Status draw_figure(const GuiRequest& request, std::stop_token stop) {
     const JobControl job(stop);
     std::vector<ui::FigureColumn> columns;
     for (const std::string& input : request.inputs) {
-        const auto recording = TRY(open_warned(input, request.open, job));
+        const auto recording = TRY(open_recording(input, request.open, job));
+        warn(without_effect(request.open, recording));
         for (const Settings& settings : columns_of(request)) {
             auto analysis = TRY(analyse_warned(recording, settings, job));
             ui::ShownAnalysis shown =
-                shown_analysis(recording, std::move(analysis), static_cast<int>(columns.size()));
+                shown_analysis(recording, std::move(analysis), columns.size()).shown;
             const QString title = request.inputs.size() > 1
                                       ? QStringLiteral("%1, %2").arg(shown.recording, shown.name)
                                       : shown.name;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "app/cli_support.h"
 #include "core/analysis/identify_settings.h"
 #include "core/analysis/settings.h"
 #include "core/base/diagnostic.h"
 #include "core/base/result.h"
-#include "core/recording/samples/open_options.h"
 #include "ui/report/report_content.h"
 
 #include <cstdint>
@@ -23,9 +23,7 @@ int ended(const Status& done);
 void warn(const std::vector<Diagnostic>& diagnostics);
 
 // What the command line asks for.
-struct GuiRequest {
-    std::vector<std::string> inputs;
-    OpenOptions open;
+struct GuiRequest : NamedRecordings {
     Settings settings;          // of a list: where it has no others
     IdentifySettings identify;  // the tolerance of the channels alone, likewise
 
@@ -33,8 +31,6 @@ struct GuiRequest {
     std::vector<std::int64_t> windows;  // of it; empty: the window of the settings
 
     std::string report;     // .pdf
-    std::string list;       // measurement list in place of inputs; empty: none
-    std::string set;        // of the list alone; empty: all
     ui::ReportTitle title;  // conditions of a list take precedence
     bool summary = false;   // one page a set
 };

@@ -115,8 +115,7 @@ struct SetResult {
     MeasurementSet set;   // its recordings with what they contain, as identification.runs
     Identification identification;
     std::optional<PassportComparison> comparison;
-    double seconds = 0;   // duration, by the caller's clock
-    std::string saved{};  // saved_result_json(), where a session is to keep it
+    double seconds = 0;  // duration, by the caller's clock
 };
 
 }  // namespace vybeg

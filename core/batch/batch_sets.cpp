@@ -113,15 +113,6 @@ Status keep_set(MeasurementList& list, const std::string& option, const std::str
                         : refused_value(option, name, "the sets of the list are " + names);
 }
 
-MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
-                              const OpenOptions& open, const IdentifySettings& settings) {
-    MeasurementList list{{}, {{set, {}, settings}}, {}};
-    for (const std::string& name : files) {
-        list.sets.front().recordings.push_back({name, name, open});
-    }
-    return list;
-}
-
 Result<std::string> row_key(const BatchRequest& request, const SetTask& task,
                             const std::string& database) {
     const MeasurementSet& set = *task.set;

@@ -51,10 +51,6 @@ bool ends_all(ErrorCode code);
 // setting_invalid; set_not_chosen without a name.
 Status keep_set(MeasurementList& list, const std::string& option, const std::string& name);
 
-// A list of one set, of the recordings that a command line names.
-MeasurementList list_of_files(const std::string& set, const std::vector<std::string>& files,
-                              const OpenOptions& open, const IdentifySettings& settings);
-
 // All that the row of a task depends on, as a hash: program, columns of the table, set, conditions,
 // settings, limits, the files by size and time of change, and what else its result goes into;
 // `database`: its identity, empty: none. Errors: file_read_failed.

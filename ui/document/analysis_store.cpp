@@ -38,15 +38,24 @@ Status exportTrackTo(const std::filesystem::path& path, const Recording& recordi
     return file.commit();
 }
 
-void setOutcome(AnalysisEntry& entry, const Settings& requested, AnalysisOutcome outcome) {
-    entry.requested = requested;
-    entry.summary = outcome.summary;
-    entry.events = std::move(outcome.events);
-    entry.shown.analysis = std::move(outcome.analysis);
-    entry.shown.curves = std::move(outcome.curves);
+}  // namespace
+
+void AnalysisEntry::take(AnalysisOutcome outcome) {
+    summary = outcome.summary;
+    events = std::move(outcome.events);
+    shown.analysis = std::move(outcome.analysis);
+    shown.curves = std::move(outcome.curves);
 }
 
-}  // namespace
+ShownAnalysis shownOf(const Recording& recording) {
+    ShownAnalysis shown;
+    shown.recording = QString::fromStdU16String(recording.path.filename().u16string());
+    shown.unit = QString::fromStdString(
+        recording.channels.at(static_cast<std::size_t>(recording.channel_c - 1)).unit);
+    shown.rate_hz = recording.rate_hz;
+    shown.recorded_s = recording.seconds();
+    return shown;
+}
 
 ClosedRecording asClosed(const RecordingEntry& entry, const std::vector<AnalysisEntry>& analyses) {
     ClosedRecording closed;
@@ -110,7 +119,8 @@ AnalysisId AnalysisStore::show(RecordingId recording_id, const Settings& request
                  : QStringLiteral("%1, n = %2").arg(name).arg(outcome.analysis->plan.length)));
         entry->live = live;
     }
-    setOutcome(*entry, requested, std::move(outcome));
+    entry->requested = requested;
+    entry->take(std::move(outcome));
     const auto id = entry->shown.id;
     emit changed();
     if (!known || !live) {
@@ -192,18 +202,12 @@ AnalysisEntry* AnalysisStore::addExpected(RecordingId recording_id, const Settin
 AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const QString& name) {
     const CurveStyle style = freeStyle(recording.id);
     AnalysisEntry entry;
+    entry.shown = shownOf(*recording.recording);
     entry.recording_id = recording.id;
     entry.shown.id = ids_.next<AnalysisId>();
     entry.shown.name = freeName(analyses_, name);
-    entry.shown.recording = recording.name;
     entry.shown.color = style.color;
     entry.shown.shade = style.shade;
-    entry.shown.unit =
-        QString::fromStdString(recording.recording->channels
-                                   .at(static_cast<std::size_t>(recording.recording->channel_c - 1))
-                                   .unit);
-    entry.shown.rate_hz = recording.recording->rate_hz;
-    entry.shown.recorded_s = recording.recording->seconds();
     return entry;
 }
 

@@ -30,11 +30,15 @@ struct AnalysisEntry {
     bool live = false;                            // follows the settings, see Document::setLive()
     int place = std::numeric_limits<int>::max();  // in the order of a session's analyses
 
+    void take(AnalysisOutcome outcome);
     // Has only some of its windows yet.
     bool partial() const {
         return static_cast<std::int64_t>(shown.analysis->track.rows()) < shown.analysis->plan.count;
     }
 };
+
+// A recording's analysis without name, colour and outcome.
+ShownAnalysis shownOf(const Recording& recording);
 
 // A recording that is not open, with all that brings it back as it was: of a session, closed, or
 // not found.

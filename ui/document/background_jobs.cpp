@@ -4,11 +4,11 @@
 #include "core/recording/open/open_recording.h"
 #include "core/recording/open/preview.h"
 #include "core/recording/samples/recording.h"
-#include "core/sweep/window_sweep.h"
 #include "ui/words/program_name.h"
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -36,27 +36,7 @@ std::shared_ptr<const Value> freedInBackground(std::shared_ptr<const Value> valu
             }};
 }
 
-std::filesystem::path toPath(const QString& path) {
-    return std::filesystem::path(path.toStdU16String());
-}
-
-// An analysis as the window takes it.
-AnalysisOutcome outcomeOf(Analysis found) {
-    AnalysisOutcome outcome;
-    const WindowPlan& plan = found.plan;
-    outcome.summary = summarise(found.track, plan.independent(), found.f_correlation);
-    // Between windows that lie far apart anything may have happened.
-    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
-        outcome.events = find_events(found.track);
-    }
-    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
-    for (const auto& curve : curvesOf(outcome.analysis)) {
-        outcome.curves.push_back(freedInBackground(curve));
-    }
-    return outcome;
-}
-
-Result<AnalysisOutcome> outcomeOf(const Recording& recording, Result<Analysis> found) {
+Result<AnalysisOutcome> outcomeIfUnchanged(const Recording& recording, Result<Analysis> found) {
     TRY(unchanged(recording));
     return found ? Result<AnalysisOutcome>(outcomeOf(std::move(*found))) : found.error();
 }
@@ -76,6 +56,21 @@ int firstKey(const std::map<int, Request>& requests, Condition condition) {
 }
 
 }  // namespace
+
+AnalysisOutcome outcomeOf(Analysis found) {
+    AnalysisOutcome outcome;
+    const WindowPlan& plan = found.plan;
+    outcome.summary = summarise(found.track, plan.independent(), found.f_correlation);
+    // Between windows that lie far apart anything may have happened.
+    if (static_cast<std::int64_t>(found.track.rows()) == plan.count) {
+        outcome.events = find_events(found.track);
+    }
+    outcome.analysis = freedInBackground(std::make_shared<const Analysis>(std::move(found)));
+    for (const auto& curve : curvesOf(outcome.analysis)) {
+        outcome.curves.push_back(freedInBackground(curve));
+    }
+    return outcome;
+}
 
 BackgroundJobs::BackgroundJobs() {
     // More than processors: most of them wait for a disk, and none may keep a file from opening.
@@ -126,7 +121,8 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
                           std::function<void(const QuickOverview&)> looked, Done<Recording> done) {
     start<Result<Recording>>(
         openings_, {Kind::open, key},
-        [this, path = toPath(path), options, looked = std::move(looked)](const Ticket& ticket) {
+        [this, path = std::filesystem::path(path.toStdU16String()), options,
+         looked = std::move(looked)](const Ticket& ticket) {
             const JobControl job(ticket.stop, {}, stopwatch());
             if (const auto look = quick_overview(path, options, job)) {
                 post(ticket, [looked, look = *look] { looked(look); });
@@ -136,16 +132,6 @@ void BackgroundJobs::open(int key, const QString& path, const OpenOptions& optio
                 opened->source = freedInBackground(opened->source);
             }
             return opened;
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::preview(int key, const QString& path, const OpenOptions& options,
-                             Done<RecordingPreview> done) {
-    start<Result<RecordingPreview>>(
-        openings_, {Kind::preview, key},
-        [path = toPath(path), options](const Ticket& ticket) {
-            return preview_recording(path, options, JobControl(ticket.stop));
         },
         std::move(done));
 }
@@ -192,8 +178,8 @@ void BackgroundJobs::analyse(int key, const Recording& recording, const Settings
         analyses_, {Kind::analysis, key},
         [this, key, recording, settings](const Ticket& ticket) {
             tellProgress(key, 0);
-            return outcomeOf(recording,
-                             vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
+            return outcomeIfUnchanged(
+                recording, vybeg::analyse(recording, settings, reporting(key, ticket.stop)));
         },
         std::move(done));
 }
@@ -208,37 +194,24 @@ void BackgroundJobs::analyseLive(int key, const Recording& recording, const Sett
             const EarlySink show = [&](Analysis some) {
                 post(ticket, [early, outcome = outcomeOf(std::move(some))] { early(outcome); });
             };
-            return outcomeOf(recording, analyse_visible_first(recording, settings, visible, show,
-                                                              reporting(key, ticket.stop)));
+            return outcomeIfUnchanged(recording,
+                                      analyse_visible_first(recording, settings, visible, show,
+                                                            reporting(key, ticket.stop)));
         },
         std::move(done));
 }
 
-void BackgroundJobs::identify(int key, OpenSet open, Done<SetResult> done) {
-    start<Result<SetResult>>(
+void BackgroundJobs::identify(int key, OpenSet open, Done<SavedResult> done) {
+    start<Result<SavedResult>>(
         analyses_, {Kind::identification, key},
-        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SetResult> {
+        [this, key, open = std::move(open)](const Ticket& ticket) -> Result<SavedResult> {
             tellProgress(key, 0);
             const JobControl job = reporting(key, ticket.stop);
             OpenSet read = open;
             TRY(read_contents(read, ticket.stop));
             auto result = TRY(identify_set(read, programName().toStdString(), {}, job));
-            result.saved = saved_result_json(result);
-            return result;
-        },
-        std::move(done));
-}
-
-void BackgroundJobs::sweepWindows(int key, const Recording& recording, const Settings& settings,
-                                  const std::vector<std::int64_t>& lengths,
-                                  Done<WindowSweep> done) {
-    start<Result<WindowSweep>>(
-        others_, {Kind::sweep, key},
-        [this, key, recording, settings, lengths](const Ticket& ticket) -> Result<WindowSweep> {
-            Result<WindowSweep> found =
-                sweep_windows(recording, settings, lengths, reporting(key, ticket.stop));
-            TRY(unchanged(recording));
-            return found;
+            const auto json = QByteArray::fromStdString(saved_result_json(result));
+            return SavedResult{std::move(result), QJsonDocument::fromJson(json).object(), {}};
         },
         std::move(done));
 }

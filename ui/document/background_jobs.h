@@ -29,10 +29,6 @@
 #include <utility>
 #include <vector>
 
-namespace vybeg {
-struct WindowSweep;
-}  // namespace vybeg
-
 namespace vybeg::ui {
 
 // What an analysis gives the window: the track, its curves, what one line says about it, and its
@@ -43,6 +39,8 @@ struct AnalysisOutcome {
     TrackSummary summary;
     std::vector<Event> events;
 };
+
+AnalysisOutcome outcomeOf(Analysis found);
 
 // What a job does in the background, and what gets its result in the window's thread.
 template <class Value>
@@ -63,7 +61,6 @@ class BackgroundJobs : public QObject {
 public:
     enum class Kind {
         open,
-        preview,
         envelope,
         hash,
         carrier,
@@ -71,7 +68,6 @@ public:
         analysis,
         live,
         identification,
-        sweep,
         page,
         write
     };
@@ -83,8 +79,6 @@ public:
     // `looked` gets what can be seen of a file whose opening takes long, before it is open.
     void open(int key, const QString& path, const OpenOptions& options,
               std::function<void(const QuickOverview&)> looked, Done<Recording> done);
-    void preview(int key, const QString& path, const OpenOptions& options,
-                 Done<RecordingPreview> done);
     // `grown` gets pictures of the envelope while it grows, some ten a second.
     void buildEnvelope(int key, const Recording& recording, EnvelopeSink grown,
                        Done<std::shared_ptr<const Envelope>> done);
@@ -96,11 +90,8 @@ public:
                      const TimeRange& visible, std::function<void(AnalysisOutcome)> early,
                      Done<AnalysisOutcome> done);
 
-    // The recording in windows of many lengths; reports its progress.
-    void sweepWindows(int key, const Recording& recording, const Settings& settings,
-                      const std::vector<std::int64_t>& lengths, Done<WindowSweep> done);
     // One resonator for all recordings.
-    void identify(int key, OpenSet open, Done<SetResult> done);
+    void identify(int key, OpenSet open, Done<SavedResult> done);
     // Makes a file.
     void write(int key, std::function<Status(const JobControl&)> work,
                std::function<void(Status)> done);
@@ -114,10 +105,15 @@ public:
             },
             std::move(done));
     }
-    // The same for a page or a store, which has one such work for each key.
+    // The same for a page or a store, which has one such work for each key; tells its progress.
     template <class Value>
     void run(int key, Work<Value> work, Done<Value> done) {
-        run<Value>(Kind::page, key, std::move(work), std::move(done));
+        start<Result<Value>>(
+            others_, {Kind::page, key},
+            [this, key, work = std::move(work)](const Ticket& ticket) {
+                return work(reporting(key, ticket.stop));
+            },
+            std::move(done));
     }
 
     // Whether a job is under way or its result is still to be delivered.
@@ -131,7 +127,7 @@ public:
     void cancelAnalyses();
 
 signals:
-    // 0..1 of the analysis with that key; 0: it has begun to compute.
+    // 0..1 of the analysis or other work with that key; 0: an analysis has begun to compute.
     void analysisProgress(int key, double fraction);
 
 private:

@@ -16,7 +16,6 @@ Document::Document() {
     connect(&recordings_, &RecordingStore::carrierChanged, this, &Document::carrierChanged);
     connect(&recordings_, &RecordingStore::reported, this, &Document::reported);
     connect(&recordings_, &RecordingStore::importWanted, this, &Document::importWanted);
-    connect(&settings_, &SettingsModel::toleranceChanged, this, &Document::settingsChanged);
     connect(&analyses_, &AnalysisStore::changed, this, &Document::analysesChanged);
     connect(&analyses_, &AnalysisStore::added, this, &Document::analysisAdded);
     connect(&queue_, &RequestQueue::busyChanged, this, &Document::busyChanged);
@@ -46,7 +45,7 @@ Document::Document() {
             catchUp(current->id);
         }
     });
-    connect(&settings_, &SettingsModel::settingsChanged, this, &Document::whenSettingsChanged);
+    connect(&settings_, &SettingsModel::changed, this, &Document::whenSettingsChanged);
 }
 
 void Document::reopen(RecordingId id, const OpenOptions& options) {
@@ -222,7 +221,7 @@ void Document::whenSettingsChanged(const Settings& before) {
         }
         emit carrierChanged();
     }
-    if (live() && current) {
+    if (live() && current && before != settings()) {
         follow(current->id, settings());
     }
 }

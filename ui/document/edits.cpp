@@ -64,23 +64,21 @@ void SettingsModel::setTolerance(const Tolerance& tolerance) {
         return;
     }
     steps_.change([] { return tr("tolerances of the channels"); }, tolerance_, tolerance,
-                  [this](const Tolerance& to) { apply(to); });
+                  [this](const Tolerance& to) {
+                      tolerance_ = to;
+                      emit changed(settings_);
+                  });
 }
 
 void SettingsModel::startWith(const Settings& settings, const Tolerance& tolerance) {
     steps_.clear();
-    apply(tolerance);
+    tolerance_ = tolerance;
     apply(settings);
 }
 
 void SettingsModel::apply(const Settings& settings) {
     const Settings before = std::exchange(settings_, settings);
-    emit settingsChanged(before);
-}
-
-void SettingsModel::apply(const Tolerance& tolerance) {
-    tolerance_ = tolerance;
-    emit toleranceChanged();
+    emit changed(before);
 }
 
 void DossierModel::setGyro(const GyroData& gyro) {

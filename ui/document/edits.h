@@ -57,12 +57,10 @@ public:
     void startWith(const Settings& settings, const Tolerance& tolerance = {});
 
 signals:
-    void settingsChanged(const Settings& before);
-    void toleranceChanged();
+    void changed(const Settings& before);  // or the tolerances: then these are as before
 
 private:
     void apply(const Settings& settings);
-    void apply(const Tolerance& tolerance);
 
     UndoSteps& steps_;
     Settings settings_;

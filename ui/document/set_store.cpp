@@ -6,7 +6,6 @@
 #include "core/output/passport_json.h"
 
 #include <QFileInfo>
-#include <QJsonDocument>
 
 #include <algorithm>
 #include <filesystem>
@@ -103,8 +102,7 @@ SetStore::SetStore(BackgroundJobs& job, const SettingsModel& settings, Recording
       ids_(ids),
       steps_(steps) {
     // Outcomes of other settings are out of date.
-    connect(&settings_, &SettingsModel::settingsChanged, this, &SetStore::changed);
-    connect(&settings_, &SettingsModel::toleranceChanged, this, &SetStore::changed);
+    connect(&settings_, &SettingsModel::changed, this, &SetStore::changed);
 }
 
 const RecordingSet* SetStore::find(SetId id) const {
@@ -404,12 +402,12 @@ void SetStore::identifySet(SetId id) {
     Request request;
     request.set_id = set.id;
     queue_.enter(key, request);
-    job_.identify(key, std::move(open), [this, key, wanted](Result<SetResult>&& result) {
+    job_.identify(key, std::move(open), [this, key, wanted](Result<SavedResult>&& result) {
         whenIdentified(key, wanted, std::move(result));
     });
 }
 
-void SetStore::whenIdentified(int key, const MeasurementSet& wanted, Result<SetResult>&& result) {
+void SetStore::whenIdentified(int key, const MeasurementSet& wanted, Result<SavedResult>&& result) {
     const auto id = queue_.find(key)->set_id;
     if (result) {
         RecordingSet& set = *entry(id);
@@ -418,8 +416,8 @@ void SetStore::whenIdentified(int key, const MeasurementSet& wanted, Result<SetR
             return !sameMembers(older->set.recordings, result->set.recordings) ||
                    older->identification.settings == result->identification.settings;
         });
-        set.outcomes.push_back(std::make_shared<const SetResult>(std::move(*result)));
-        set.kept = {};
+        set.outcomes.push_back(std::make_shared<const SavedResult>(std::move(*result)));
+        set.kept.reset();
         set.kept_up_to_date = false;
         emit changed();
         emit identified(id);
@@ -438,7 +436,7 @@ bool SetStore::outOfDate(const RecordingSet& set, const SetResult& outcome) cons
     return !isOf(outcome, set) || outcome.identification.settings != measured(set).settings;
 }
 
-std::shared_ptr<const SetResult> SetStore::outcome(const RecordingSet& set) const {
+std::shared_ptr<const SavedResult> SetStore::outcome(const RecordingSet& set) const {
     const auto up_to_date = std::ranges::find_if(
         set.outcomes, [&](const auto& outcome) { return !outOfDate(set, *outcome); });
     if (up_to_date != set.outcomes.end()) {

@@ -80,7 +80,7 @@ public:
     bool canIdentify() const;
     bool identifying(SetId id) const { return queue_.keyOfSet(id) != 0; }
     // The newest of a set: with its present recordings and settings where there is one.
-    std::shared_ptr<const SetResult> outcome(const RecordingSet& set) const;
+    std::shared_ptr<const SavedResult> outcome(const RecordingSet& set) const;
     bool outOfDate(const RecordingSet& set, const SetResult& outcome) const;
     // Why the set as it is now has no result; null: none is known.
     const Error* refusal(const RecordingSet& set) const { return refusalOf(set, measured(set)); }
@@ -125,7 +125,7 @@ private:
     void eraseFrom(SetId id, const std::vector<RecordingId>& recording_ids);
     RecordingSet* entry(SetId id) { return const_cast<RecordingSet*>(find(id)); }
     void edited(RecordingSet& set);
-    void whenIdentified(int key, const MeasurementSet& wanted, Result<SetResult>&& result);
+    void whenIdentified(int key, const MeasurementSet& wanted, Result<SavedResult>&& result);
     void refuse(SetId id, const MeasurementSet& wanted, const Error& error);
 
     BackgroundJobs& job_;

@@ -25,6 +25,7 @@
 #include <qcustomplot.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace vybeg::ui {
@@ -332,8 +333,11 @@ void ImportDialog::refresh() {
     preview_.reset();
     enableOpen();
     asked_ = options();
-    job_->preview(preview_key, path_, asked_,
-                  [this](const Result<RecordingPreview>& result) { take(result); });
+    job_->run<RecordingPreview>(
+        preview_key,
+        [path = std::filesystem::path(path_.toStdU16String()),
+         options = asked_](const JobControl& job) { return preview_recording(path, options, job); },
+        [this](const Result<RecordingPreview>& result) { take(result); });
 }
 
 std::optional<OpenOptions> ImportDialog::proposal(const RecordingPreview& preview) {

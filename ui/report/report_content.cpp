@@ -145,6 +145,12 @@ bool ofLogsAlone(const ReportContent& content) {
     return content.recordings.empty() && content.drift;
 }
 
+bool hasAnalyses(const ReportContent& content) {
+    return std::ranges::any_of(content.recordings, [](const ReportRecording& recording) {
+        return !recording.analyses.empty();
+    });
+}
+
 QString dateText(const QString& standard) {
     static const QRegularExpression date(
         QStringLiteral("^(\\d{4})-(\\d\\d)-(\\d\\d)(?:[T ](\\d\\d:\\d\\d.*))?$"));
@@ -260,12 +266,10 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
         if (const auto row = set ? rowOf(*set, id) : std::nullopt) {
             told.conditions = conditionsText(set->listed->recordings[*row]);
         }
-        for (const AnalysisEntry& analysis : document.analyses()) {
-            if (analysis.recording_id == id && isReported(analysis)) {
-                content.analyses.push_back(
-                    {analysis.shown, content.recordings.size(), analysis.summary, analysis.events});
-            }
-        }
+        std::ranges::copy_if(document.analyses(), std::back_inserter(told.analyses),
+                             [id](const AnalysisEntry& analysis) {
+                                 return analysis.recording_id == id && isReported(analysis);
+                             });
         content.recordings.push_back(std::move(told));
     }
     if (set && isReportedLog(document, *set)) {

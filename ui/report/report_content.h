@@ -7,14 +7,12 @@
 #include "core/drift/drift_settings.h"
 #include "core/recording/samples/recording.h"
 #include "core/resonator/results/resonator_parameters.h"
-#include "core/track/events.h"
-#include "core/track/track_summary.h"
+#include "ui/document/analysis_store.h"
 #include "ui/document/document.h"
 #include "ui/document/drift_store.h"
 #include "ui/document/edits.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
-#include "ui/values/shown_analysis.h"
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
@@ -78,9 +76,10 @@ struct ReportRecording {
     bool is_log = false;  // in place of a recording: without samples to check
     std::optional<std::vector<Diagnostic>> check;  // findings; none: not finished yet
     QStringList conditions;                        // of a measurement list, conditionsText()
+    std::vector<AnalysisEntry> analyses;
 };
 
-// Without its check.
+// Without check, conditions and analyses.
 ReportRecording reportRecording(const Recording& recording, const QString& sha256);
 
 // Of a log, as its identification has read it.
@@ -107,13 +106,6 @@ QString firstAndLast(const QStringList& texts);
 // none does.
 QString measuredOn(const std::vector<ReportRecording>& recordings);
 
-struct ReportAnalysis {
-    ShownAnalysis shown;
-    std::size_t recording = 0;  // index
-    TrackSummary means;
-    std::vector<Event> events;
-};
-
 // Everything that a report shows, as a value. Its texts are in the language in which it is laid
 // out.
 struct ReportContent {
@@ -121,7 +113,6 @@ struct ReportContent {
     int chapter = 0;  // its number there, from 1; 0: the only one
     ReportTitle title;
     std::vector<ReportRecording> recordings;
-    std::vector<ReportAnalysis> analyses;  // of the recordings, in their order
     std::shared_ptr<const SetResult> outcome;
     QStringList absent;        // recordings of the set's list that are not in it
     bool out_of_date = false;  // the outcome is of other settings than the present ones
@@ -136,6 +127,8 @@ struct ReportContent {
 
 // Whether a report is about whole-angle logs without any recording.
 bool ofLogsAlone(const ReportContent& content);
+
+bool hasAnalyses(const ReportContent& content);
 
 // The settings that have a part in the result and are not the defaults, as options of the command
 // line; empty: all are.

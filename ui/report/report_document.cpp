@@ -368,14 +368,12 @@ QByteArray metadata(const ReportText& text) {
 }
 
 ReportText textOf(const std::vector<ReportContent>& contents, const QString& about) {
-    const QString program = QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
-    const QDate made = reportDay();
     if (contents.size() == 1) {
-        return reportTextOf(contents.front(), program, made);
+        return reportTextOf(contents.front());
     }
     std::vector<ReportChapter> chapters;
     std::ranges::transform(contents, std::back_inserter(chapters), chapterOf);
-    return reportTextOf(about, chapters, contents.front().units, program, made);
+    return reportTextOf(about, chapters, contents.front().units);
 }
 
 }  // namespace
@@ -387,6 +385,10 @@ ReportText framedReport(const QString& report, const QString& about, const QStri
     text.foot = ReportWords::tr("Page %1 of %2");
     text.html = QStringLiteral("<h1>%1</h1>").arg(report.toHtmlEscaped());
     return text;
+}
+
+QString reportProgram() {
+    return QStringLiteral("Vybeg ") + QCoreApplication::applicationVersion();
 }
 
 QDate reportDay() {

@@ -27,6 +27,9 @@ struct ReportText {
     QString html;
 };
 
+// Which program makes a report: name and version.
+QString reportProgram();
+
 // When a report is made: today, or as SOURCE_DATE_EPOCH says. A day, so that the same report made
 // twice is the same bytes.
 QDate reportDay();
@@ -34,8 +37,9 @@ QDate reportDay();
 // Head and foot of each page; its text begins with the title. `report`: its kind.
 ReportText framedReport(const QString& report, const QString& about, const QString& program);
 
-// Of one set or recording. `program`: name and version. `made`: reportDay().
-ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made);
+// Of one set or recording.
+ReportText reportTextOf(const ReportContent& content, const QString& program = reportProgram(),
+                        QDate made = reportDay());
 
 // One set in a report of several.
 struct ReportChapter {
@@ -49,7 +53,8 @@ ReportChapter chapterOf(const ReportContent& content);
 
 // Of several sets: a table of all, then a chapter for each. `about`: what they are.
 ReportText reportTextOf(const QString& about, const std::vector<ReportChapter>& chapters,
-                        const DisplayUnits& units, const QString& program, QDate made);
+                        const DisplayUnits& units, const QString& program = reportProgram(),
+                        QDate made = reportDay());
 
 // A report as a PDF of A4 pages with head and page numbers: figures as vectors, text as text, fonts
 // embedded, title and author in its metadata. Any thread may call it.

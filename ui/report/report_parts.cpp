@@ -28,11 +28,9 @@ PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
     PlotContent plots;
     plots.variables = content.variables;
     plots.units = content.units;
-    for (const ReportAnalysis& each : content.analyses) {
-        if (each.recording == recording) {
-            plots.analyses.push_back(each.shown);
-            plots.analyses.back().visible = true;
-        }
+    for (const AnalysisEntry& each : content.recordings[recording].analyses) {
+        plots.analyses.push_back(each.shown);
+        plots.analyses.back().visible = true;
     }
     plots.zoom.time = coveredTime(plots.analyses).value_or(AxisRange{0, 1});
     return plots;

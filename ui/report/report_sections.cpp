@@ -304,7 +304,7 @@ QString recordingsSection(const ReportContent& content) {
 }
 
 QString settingsSection(const ReportContent& content) {
-    if (content.analyses.empty()) {
+    if (!hasAnalyses(content)) {
         return {};
     }
     HtmlTable table{{ReportWords::tr("Recording"), ReportWords::tr("Algorithm"),
@@ -314,17 +314,20 @@ QString settingsSection(const ReportContent& content) {
                      ReportWords::tr("Noise σ")},
                     {},
                     {16, 18, 13, 9, 21, 13, 10}};
-    for (const ReportAnalysis& each : content.analyses) {
-        const Analysis& analysis = *each.shown.analysis;
-        table.rows.push_back({content.recordings[each.recording].name.toHtmlEscaped(),
-                              algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
-                              richText(QStringLiteral("%1, %2").arg(
-                                  countLabel(analysis.plan.length), countLabel(analysis.plan.hop))),
-                              richText(countLabel(analysis.plan.count)),
-                              valueText(each.means.mean_f_hz, each.means.sd_mean_f_hz),
-                              seconds(each.means.mean_at_s, 3), noiseText(each.means.noise)});
-        if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
-            table.rows.push_back({monospaced(options)});
+    for (const ReportRecording& recording : content.recordings) {
+        for (const AnalysisEntry& each : recording.analyses) {
+            const Analysis& analysis = *each.shown.analysis;
+            table.rows.push_back(
+                {recording.name.toHtmlEscaped(),
+                 algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
+                 richText(QStringLiteral("%1, %2").arg(countLabel(analysis.plan.length),
+                                                       countLabel(analysis.plan.hop))),
+                 richText(countLabel(analysis.plan.count)),
+                 valueText(each.summary.mean_f_hz, each.summary.sd_mean_f_hz),
+                 seconds(each.summary.mean_at_s, 3), noiseText(each.summary.noise)});
+            if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
+                table.rows.push_back({monospaced(options)});
+            }
         }
     }
     return heading(ReportWords::tr("Analyses and their settings")) + html(table);
@@ -341,8 +344,7 @@ QString inOneLine(const QString& name) {
 QString plotsSection(const ReportContent& content) {
     QString text;
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
-        const auto is_of = [k](const ReportAnalysis& analysis) { return analysis.recording == k; };
-        if (std::ranges::any_of(content.analyses, is_of)) {
+        if (!content.recordings[k].analyses.empty()) {
             text += heading(ReportWords::tr("Slow variables: %1")
                                 .arg(inOneLine(content.recordings[k].name)),
                             true) +
@@ -352,44 +354,48 @@ QString plotsSection(const ReportContent& content) {
     return text;
 }
 
-QString eventsSection(const ReportContent& content) {
-    if (content.analyses.empty()) {
+QString eventsTable(const QString& title, const std::vector<Event>& events) {
+    if (events.empty()) {
         return {};
     }
-    QString text = heading(ReportWords::tr("Events"));
-    bool any = false;
-    for (const ReportAnalysis& each : content.analyses) {
-        if (each.events.empty()) {
-            continue;
-        }
-        any = true;
-        HtmlTable table{{ReportWords::tr("Time, s"), ReportWords::tr("Event")}, {}, {14, 86}};
-        for (std::size_t k = 0; k < std::min(each.events.size(), most_events); ++k) {
-            table.rows.push_back(
-                {seconds(each.events[k].time_s, 4), richText(eventText(each.events[k]))});
-        }
-        if (each.events.size() > most_events) {
-            table.rows.push_back({ReportWords::tr("Further events: %1")
-                                      .arg(static_cast<qint64>(each.events.size() - most_events))});
-        }
-        text += smallHeading(QStringLiteral("%1, %2").arg(content.recordings[each.recording].name,
-                                                          each.shown.name)) +
-                html(table);
+    HtmlTable table{{ReportWords::tr("Time, s"), ReportWords::tr("Event")}, {}, {14, 86}};
+    for (std::size_t k = 0; k < std::min(events.size(), most_events); ++k) {
+        table.rows.push_back({seconds(events[k].time_s, 4), richText(eventText(events[k]))});
     }
-    return any ? text : text + paragraph(ReportWords::tr("No axis crossings, no gaps."));
+    if (events.size() > most_events) {
+        table.rows.push_back({ReportWords::tr("Further events: %1")
+                                  .arg(static_cast<qint64>(events.size() - most_events))});
+    }
+    return smallHeading(title) + html(table);
+}
+
+QString eventsSection(const ReportContent& content) {
+    if (!hasAnalyses(content)) {
+        return {};
+    }
+    QString tables;
+    for (const ReportRecording& recording : content.recordings) {
+        for (const AnalysisEntry& each : recording.analyses) {
+            tables += eventsTable(QStringLiteral("%1, %2").arg(recording.name, each.shown.name),
+                                  each.events);
+        }
+    }
+    return heading(ReportWords::tr("Events")) +
+           (tables.isEmpty() ? paragraph(ReportWords::tr("No axis crossings, no gaps.")) : tables);
 }
 
 // The findings of the analyses beside those of the recording check, which are with the recordings.
 std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
     std::vector<NamedWarnings> all;
-    for (const ReportAnalysis& each : content.analyses) {
-        const ReportRecording& recording = content.recordings[each.recording];
-        std::vector<Diagnostic> found = each.shown.analysis->diagnostics;
-        std::erase_if(found, [&recording](const Diagnostic& diagnostic) {
-            return recording.check &&
-                   std::ranges::find(*recording.check, diagnostic) != recording.check->end();
-        });
-        all.emplace_back(recording.name.toStdString(), std::move(found));
+    for (const ReportRecording& recording : content.recordings) {
+        for (const AnalysisEntry& each : recording.analyses) {
+            std::vector<Diagnostic> found = each.shown.analysis->diagnostics;
+            std::erase_if(found, [&recording](const Diagnostic& diagnostic) {
+                return recording.check &&
+                       std::ranges::find(*recording.check, diagnostic) != recording.check->end();
+            });
+            all.emplace_back(recording.name.toStdString(), std::move(found));
+        }
     }
     return all;
 }

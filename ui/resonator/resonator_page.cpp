@@ -1,13 +1,11 @@
 #include "ui/resonator/resonator_page.h"
 
-#include "core/output/passport_json.h"
 #include "ui/resonator/outcome_views.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/widgets/page_parts.h"
 #include "ui/words/error_text.h"
 
 #include <QHBoxLayout>
-#include <QJsonDocument>
 #include <QLabel>
 #include <QScrollArea>
 #include <QTabWidget>
@@ -125,7 +123,7 @@ void ResonatorPage::calibrate(const QString& offer, const FoundCalibration& foun
 void ResonatorPage::refresh() {
     const RecordingSet* set = document_.sets().current();
     const bool same = (set ? document_.sets().outcome(*set) : nullptr) == shown_ &&
-                      (set ? set->kept : QJsonObject()) == kept_json_;
+                      (set ? set->kept : nullptr) == kept_;
     if (same) {
         showState(set);
     } else {
@@ -136,13 +134,10 @@ void ResonatorPage::refresh() {
 void ResonatorPage::rebuild() {
     const RecordingSet* set = document_.sets().current();
     shown_ = set ? document_.sets().outcome(*set) : nullptr;
-    kept_json_ = set ? set->kept : QJsonObject();
-    kept_ = kept_json_.isEmpty()
-                ? SetResult{}
-                : read_saved_result(QJsonDocument(kept_json_).toJson().toStdString());
+    kept_ = set ? set->kept : nullptr;
     showState(set);
-    const bool from_session = !shown_ && !kept_json_.isEmpty() && kept_;
-    numbers_->setOutcome(from_session ? std::make_shared<const SetResult>(*kept_) : shown_);
+    const bool from_session = !shown_ && kept_ && !kept_->fault;
+    numbers_->setOutcome(from_session ? kept_ : shown_);
     figures_->setOutcome(shown_);
     comparison_->setOutcome(shown_);
     showTabs();
@@ -155,8 +150,8 @@ void ResonatorPage::showState(const RecordingSet* set) {
         state_->setText(text);
         return;
     }
-    const bool out_of_date = shown_ ? document_.sets().outOfDate(*set, *shown_)
-                                    : !kept_json_.isEmpty() && !set->kept_up_to_date;
+    const bool out_of_date =
+        shown_ ? document_.sets().outOfDate(*set, *shown_) : kept_ && !set->kept_up_to_date;
     if (out_of_date) {
         text = QStringLiteral("<b style=\"color:%1\">⚠ %2</b> %3")
                    .arg(readable(theme().warning, theme()).name(), tr("Out of date."),
@@ -178,9 +173,9 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
                   static_cast<int>(shown_->set.recordings.size()))
             .arg(modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
     }
-    if (set && !kept_json_.isEmpty()) {
-        if (!kept_) {
-            return errorText(kept_.error());
+    if (set && kept_) {
+        if (kept_->fault) {
+            return errorText(*kept_->fault);
         }
         QStringList names;
         for (const RecordingRef& recording : kept_->set.recordings) {

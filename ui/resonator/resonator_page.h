@@ -40,9 +40,7 @@ private:
 
     Document& document_;
     std::shared_ptr<const SetResult> shown_;
-    // The session's result, shown where nothing is identified here, and its JSON.
-    Result<SetResult> kept_ = SetResult{};
-    QJsonObject kept_json_;
+    std::shared_ptr<const SavedResult> kept_;  // shown where nothing is identified here
     SetPanel* set_;
     QLabel* state_;
     NumbersView* numbers_;

@@ -2,6 +2,7 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/drift/drift_settings.h"
+#include "core/output/passport_json.h"
 #include "ui/values/json_fields.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/program_name.h"
@@ -280,8 +281,8 @@ QJsonObject setToJson(const RecordingSet& set, const std::vector<ClosedRecording
     if (set.listed) {
         json[listed_key] = listedToJson(set, recordings, folder);
     }
-    if (!set.kept.isEmpty()) {
-        json[result_key] = set.kept;
+    if (set.kept) {
+        json[result_key] = set.kept->json;
         json[up_to_date_key] = set.kept_up_to_date;
     }
     return json;
@@ -305,7 +306,12 @@ Result<RecordingSet> setFromJson(const QJsonObject& json, std::size_t recordings
     if (const QJsonValue listed = json[listed_key]; listed.isObject()) {
         TRY(readListed(listed.toObject(), recordings, folder, set));
     }
-    set.kept = json[result_key].toObject();
+    if (const QJsonObject result = json[result_key].toObject(); !result.isEmpty()) {
+        auto read = read_saved_result(QJsonDocument(result).toJson().toStdString());
+        set.kept =
+            std::make_shared<const SavedResult>(read ? SavedResult{std::move(*read), result, {}}
+                                                     : SavedResult{{}, result, read.error()});
+    }
     set.kept_up_to_date = json[up_to_date_key].toBool();
     set.unknown = without(
         json, {name_key, model_key, recordings_key, listed_key, result_key, up_to_date_key});
@@ -371,17 +377,6 @@ bool isListOfObjects(const QJsonValue& value) {
                                           [](const auto& element) { return element.isObject(); });
 }
 
-// The set with its newest outcome, or otherwise what the session brought.
-RecordingSet asKept(const SetStore& sets, const RecordingSet& set) {
-    RecordingSet kept = set;
-    kept.outcomes.clear();
-    if (const auto found = sets.outcome(set)) {
-        kept.kept = QJsonDocument::fromJson(QByteArray::fromStdString(found->saved)).object();
-        kept.kept_up_to_date = !sets.outOfDate(set, *found);
-    }
-    return kept;
-}
-
 // A place outside of its list is none.
 void keepWithin(int& place, std::size_t count) {
     place = place >= 0 && place < static_cast<int>(count) ? place : -1;
@@ -405,7 +400,12 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         if (document.sets().current() == &set) {
             session.current_set = static_cast<int>(session.sets.size());
         }
-        session.sets.push_back(asKept(document.sets(), set));
+        // With its newest outcome, or otherwise what the session brought.
+        RecordingSet& kept = session.sets.emplace_back(set);
+        if (const auto found = document.sets().outcome(set)) {
+            kept.kept = found;
+            kept.kept_up_to_date = !document.sets().outOfDate(set, *found);
+        }
     }
     session.drift = {document.drift().logs(), document.drift().settings()};
     const PlotContent content = tracks.content();

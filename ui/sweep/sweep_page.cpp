@@ -219,10 +219,17 @@ void SweepPage::compute() {
     running_ = entry->id;
     failures_.erase(running_);
     progress_->setValue(0);
-    job_.sweepWindows(job_key, *entry->recording, wanted(), list.lengths,
-                      [this, id = running_, asked = wanted()](Result<WindowSweep> result) {
-                          take(id, asked, std::move(result));
-                      });
+    job_.run<WindowSweep>(
+        job_key,
+        [recording = *entry->recording, settings = wanted(),
+         lengths = list.lengths](const JobControl& job) -> Result<WindowSweep> {
+            Result<WindowSweep> found = sweep_windows(recording, settings, lengths, job);
+            TRY(unchanged(recording));
+            return found;
+        },
+        [this, id = running_, asked = wanted()](Result<WindowSweep> result) {
+            take(id, asked, std::move(result));
+        });
     refresh();
 }
 

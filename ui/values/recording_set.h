@@ -15,6 +15,12 @@
 
 namespace vybeg::ui {
 
+// A result with the JSON by which a session keeps it.
+struct SavedResult : SetResult {
+    QJsonObject json;            // saved_result_json()
+    std::optional<Error> fault;  // why the JSON of a session is none; without a result
+};
+
 // Recordings of one resonator, started at different angles, that are identified together. A single
 // recording is a set of one.
 struct RecordingSet {
@@ -33,12 +39,12 @@ struct RecordingSet {
     bool by_panel = false;
     // The newest last, with the ids of their recordings. All have the present recordings of the
     // set; otherwise only the last one remains, out of date.
-    std::vector<std::shared_ptr<const SetResult>> outcomes;
+    std::vector<std::shared_ptr<const SavedResult>> outcomes;
     // Why these recordings with these settings have no result; with the set as it was asked for.
     std::optional<std::pair<MeasurementSet, Error>> refusal;
     // Result that a session brings, shown until the set is identified here.
-    QJsonObject kept;              // saved_result_json(); empty: none
-    bool kept_up_to_date = false;  // with the recordings and settings of the session
+    std::shared_ptr<const SavedResult> kept;  // null: none
+    bool kept_up_to_date = false;             // with the recordings and settings of the session
     // Keys of the set in its session that this program does not know, written again.
     QJsonObject unknown;
 };
@@ -59,7 +65,7 @@ inline bool hasMembers(const RecordingSet& set) {
 
 // Whether it shows something without an open recording.
 inline bool hasContent(const RecordingSet& set) {
-    return isOfLogs(set) || !set.kept.isEmpty();
+    return isOfLogs(set) || set.kept;
 }
 
 // The place of a recording's row in what the list says of the set; none: it has no row.

@@ -137,11 +137,13 @@ void FileCommands::openTogether(const QStringList& paths) {
         open(paths);
         return;
     }
-    constexpr int key = 1;  // the import dialog's previews have another one
+    constexpr int key = 3;  // the dialogs and the demonstration have others
     // By name: C before D, the first number before the second.
     QStringList sorted = paths;
     sorted.sort();
-    imports_.preview(key, sorted[0], {}, [this, paths, sorted](const auto& preview) {
+    const auto look = [path = std::filesystem::path(sorted[0].toStdU16String())](
+                          const JobControl& job) { return preview_recording(path, {}, job); };
+    imports_.run<RecordingPreview>(key, look, [this, paths, sorted](const auto& preview) {
         if (preview && preview->problem && preview->problem->code == ErrorCode::too_few_channels) {
             OpenOptions pair;
             pair.channel_d_file = sorted[1].toStdString();
@@ -156,14 +158,11 @@ void FileCommands::openDemonstration() {
     const QString path =
         QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation))
             .filePath(QStringLiteral("demonstration.wav"));
-    const auto write = [path](const JobControl& job) {
-        const Status done = writeDemonstration(path, job);
-        return done ? Result<QString>(path) : done.error();
-    };
+    const auto write = [path](const JobControl& job) { return writeDemonstration(path, job); };
     constexpr int key = 1;
-    imports_.run<QString>(key, write, [this](const Result<QString>& written) {
+    imports_.write(key, write, [this, path](const Status& written) {
         if (written) {
-            open({*written});
+            open({path});
         } else {
             document_.report(errorMessage(written.error()));
         }

@@ -145,6 +145,10 @@ private slots:
             << QStringList{good, "--report", home_.path("wrong.svg")} << 2;
         QTest::newRow("report twice over the same recording")
             << QStringList{good, good, "--report", home_.path("wrong.pdf")} << 4;
+        QTest::newRow("report of two recordings with one channel D")
+            << QStringList{good,       home_.recording("other.wav"), "--channel-d", good,
+                           "--report", home_.path("wrong.pdf")}
+            << 2;
         QTest::newRow("report of nothing")
             << QStringList{home_.path("none.wav"), "--report", home_.path("wrong.pdf")} << 3;
         QTest::newRow("report into no folder")

@@ -130,10 +130,10 @@ private slots:
                 QVERIFY2(text.contains(each.name), qPrintable(each.name));
                 QCOMPARE(each.sha256.size(), 64);
                 QVERIFY2(text.contains(each.sha256), qPrintable(each.sha256));
-            }
-            for (const ReportAnalysis& each : content.analyses) {
-                const QString instant = QLocale().toString(each.means.mean_at_s, 'f', 3);
-                QVERIFY2(text.contains(instant), qPrintable(instant));
+                for (const AnalysisEntry& analysis : each.analyses) {
+                    const QString instant = QLocale().toString(analysis.summary.mean_at_s, 'f', 3);
+                    QVERIFY2(text.contains(instant), qPrintable(instant));
+                }
             }
             int given = 0;
             for (const QuantityRow& row : resonatorRows(found, content.units)) {
