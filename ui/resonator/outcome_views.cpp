@@ -2,7 +2,6 @@
 
 #include "ui/charts/round_plot.h"
 #include "ui/resonator/parameter_text.h"
-#include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/resonator/warning_list.h"
 #include "ui/widgets/number_field.h"
@@ -41,9 +40,24 @@ QStringList markedNames(const SetResult& outcome) {
 
 }  // namespace
 
+OutcomeView::OutcomeView(Document& document, QWidget* parent)
+    : MeasuredPage(parent), document_(document) {
+    // An analysis gives its recording a colour.
+    connect(&document_, &Document::analysesChanged, this, [this] {
+        if (shown_ && runStyles(document_, *shown_) != styles_) {
+            setOutcome(shown_);
+        }
+    });
+}
+
+void OutcomeView::setOutcome(std::shared_ptr<const SetResult> outcome) {
+    shown_ = std::move(outcome);
+    styles_ = shown_ ? runStyles(document_, *shown_) : RunStyles();
+    showAgain();
+}
+
 NumbersView::NumbersView(Document& document, QWidget* parent)
-    : OutcomeView(parent),
-      document_(document),
+    : OutcomeView(document, parent),
       warnings_(withName(new WarningList(this), "warnings")),
       resonator_(withName(new QuantityTable(this), "resonator")),
       statistical_(sentence(this, "statistical")),
@@ -143,8 +157,8 @@ void NumbersView::retranslate() {
     showAgain();
 }
 
-FiguresView::FiguresView(QWidget* parent)
-    : OutcomeView(parent),
+FiguresView::FiguresView(Document& document, QWidget* parent)
+    : OutcomeView(document, parent),
       hint_(sentence(this, "hint")),
       plots_(new QWidget(this)),
       rim_name_(sentence(plots_, "")),
@@ -193,8 +207,8 @@ void FiguresView::showAgain() {
                           : tr("Rim, drift and balance of the channels appear here when the "
                                "resonator is identified."));
     if (structured) {
-        rim_->setContent(rimPlot(*shown_));
-        drift_plot_->setContent(driftPlot(*shown_, units()));
+        rim_->setContent(rimPlot(*shown_, styles_));
+        drift_plot_->setContent(driftPlot(*shown_, units(), styles_));
         drift_->setContent({}, driftRows(shown_->identification, units()));
         showBalance();
     }
@@ -203,7 +217,7 @@ void FiguresView::showAgain() {
 void FiguresView::showBalance() {
     if (shown_) {
         const auto axis = static_cast<BalanceAxis>(balance_axis_->currentIndex());
-        balance_plot_->setContent(balancePlot(*shown_, axis, units()));
+        balance_plot_->setContent(balancePlot(*shown_, axis, units(), styles_));
     }
 }
 
@@ -233,8 +247,7 @@ void FiguresView::retranslate() {
 }
 
 ComparisonView::ComparisonView(Document& document, QWidget* parent)
-    : OutcomeView(parent),
-      document_(document),
+    : OutcomeView(document, parent),
       passport_(sentence(this, "passport")),
       other_gyro_(sentence(this, "otherGyro")),
       differences_(withName(new QuantityTable(this), "differences")),
@@ -291,7 +304,7 @@ void ComparisonView::showAgain() {
         incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
         tracks_->setContent(trackPlot(*shown_, passport->passport,
                                       static_cast<SlowVariable>(track_choice_->currentIndex()),
-                                      units()));
+                                      units(), styles_));
     }
 }
 

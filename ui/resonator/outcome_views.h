@@ -3,6 +3,7 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_view.h"
+#include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/values/recording_set.h"
 
@@ -25,16 +26,15 @@ class WarningList;
 // What a part of the page Resonator shows of an identification.
 class OutcomeView : public MeasuredPage {
 public:
-    using MeasuredPage::MeasuredPage;
+    OutcomeView(Document& document, QWidget* parent);
 
     // Null: the set is not identified yet.
-    void setOutcome(std::shared_ptr<const SetResult> outcome) {
-        shown_ = std::move(outcome);
-        showAgain();
-    }
+    void setOutcome(std::shared_ptr<const SetResult> outcome);
 
 protected:
+    Document& document_;
     std::shared_ptr<const SetResult> shown_;
+    RunStyles styles_;  // of its recordings
 };
 
 // The parameters of the resonator, with their limits and their change since the open passport, of
@@ -60,7 +60,6 @@ private:
     void retranslate() override;
     static QString modesTitle(const ResonatorFit& fit);
 
-    Document& document_;
     WarningList* warnings_;
     QuantityTable* resonator_;
     QLabel* statistical_;
@@ -81,7 +80,7 @@ class FiguresView : public OutcomeView {
     Q_OBJECT
 
 public:
-    explicit FiguresView(QWidget* parent = nullptr);
+    explicit FiguresView(Document& document, QWidget* parent = nullptr);
 
     FigureSource figures() const override;
     QWidget* balance() const { return balance_; }
@@ -115,7 +114,6 @@ private:
     void showAgain() override;
     void retranslate() override;
 
-    Document& document_;
     QLabel* passport_;
     QLabel* other_gyro_;
     QLabel* limit_label_;

@@ -21,7 +21,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       set_(new SetPanel(document, this)),
       state_(sentence(this, "state")),
       numbers_(withPart(new NumbersView(document, this))),
-      figures_(withPart(new FiguresView(this))),
+      figures_(withPart(new FiguresView(document, this))),
       comparison_(withPart(new ComparisonView(document, this))) {
     balance_tab_ = numbers_->addTab(figures_->balance());
     comparison_tab_ = numbers_->addTab(comparison_);
