@@ -200,6 +200,23 @@ QString conciseText(double value, double sd) {
     return exponent == 0 ? text : text + QStringLiteral("·") + powerOfTen(exponent);
 }
 
+QString conciseText(double value, double sd, int power) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("—");
+    }
+    const QuantityText quantity = quantity_text(value, sd);
+    const std::size_t point = quantity.value.find('.');
+    const auto behind = point == std::string::npos ? 0 : quantity.value.size() - point - 1;
+    const int decimals = static_cast<int>(behind) - quantity.exponent + power;
+    std::string digits = quantity.sd;
+    std::erase(digits, '.');
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    const QString text = numberLabel(value * std::pow(10., -power), std::max(0, decimals));
+    return digits.empty() ? text
+                          : text + QStringLiteral("(%1)").arg(QString::fromStdString(digits) +
+                                                              QString(-decimals, '0'));
+}
+
 QString valueText(double value, double sd, double u) {
     if (!std::isfinite(value)) {
         return QStringLiteral("—");
