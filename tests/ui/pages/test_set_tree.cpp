@@ -118,6 +118,30 @@ private slots:
         QCOMPARE(note(1), QStringLiteral("2 rec."));
     }
 
+    // A set is called by what its recordings share, these by what differs, in the colour of their
+    // tracks; what is cut off stands in the tip.
+    void names_tell_what_differs_and_dots_whose_tracks_they_are() {
+        openRuns(files_);
+        setStore().add({ids()[0], ids()[1]});
+        auto& sets = the<SetTree>("sets");
+        QTRY_COMPARE(document().analyses().size(), std::size_t(4));
+        const QString common = sets.topLevelItem(0)->text(0);
+        QCOMPARE(common, setName(document(), *setStore().current()));
+        for (std::size_t k = 0; k < sets.members().size(); ++k) {
+            const QTreeWidgetItem& member = *sets.members()[k];
+            const QString file = QFileInfo(files_[static_cast<int>(k)]).fileName();
+            QVERIFY2(file.startsWith(common), qPrintable(common));
+            QVERIFY(member.toolTip(0).contains(file));
+            QVERIFY2(file.contains(QString(member.text(0)).remove(QChar(0x2026)) + ".wav"),
+                     qPrintable(member.text(0)));
+            QCOMPARE(member.icon(0).pixmap(8).toImage().pixelColor(4, 4).name(),
+                     readable(document().analyses()[k].shown.color, lightTheme()).name());
+        }
+        setStore().add({ids()[2], ids()[3]});
+        QCOMPARE(sets.topLevelItem(0)->text(0), common + " (1)");
+        QCOMPARE(sets.topLevelItem(1)->text(0), common + " (2)");
+    }
+
     // Without a set the open recordings stand alone: the first that is checked makes one.
     void a_check_mark_makes_a_set() {
         openRuns({files_[0], files_[1]});
