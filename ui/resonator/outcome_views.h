@@ -7,13 +7,16 @@
 #include "ui/resonator/resonator_text.h"
 #include "ui/values/recording_set.h"
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QTableWidgetItem;
 class QTabWidget;
 
 namespace vybeg::ui {
@@ -59,14 +62,19 @@ private:
     void showAgain() override;
     void retranslate() override;
     static QString modesTitle(const ResonatorFit& fit);
+    void showParameters();
+    void showStatistical();
+    void say(const QTableWidgetItem* item);
 
     WarningList* warnings_;
     QuantityTable* resonator_;
+    QLabel* reason_;  // of the chosen cell
     QLabel* statistical_;
+    bool told_ = false;  // in full
     QTabWidget* tabs_;
     WarningList* findings_;
     QuantityTable* waves_;
-    QuantityTable* runs_;
+    std::array<QuantityTable*, 2> runs_;
     QuantityTable* modes_;
     QuantityTable* sensitivities_;
     int recordings_tab_ = 0;
@@ -96,7 +104,8 @@ private:
     RoundView* rim_;
     QLabel* drift_name_;
     XYPlotView* drift_plot_;
-    QuantityTable* drift_;
+    QLabel* drift_;  // its harmonics
+    QAction* copy_drift_;
     QWidget* balance_;
     QLabel* balance_name_;
     QComboBox* balance_axis_;
