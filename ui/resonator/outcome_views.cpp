@@ -48,7 +48,7 @@ std::vector<QuantityRow> recordingRows(const SetResult& outcome, const RunStyles
             count_warnings(findings_of(outcome.identification.runs[k].diagnostics)) > 0;
         const auto place = static_cast<qsizetype>(k);
         rows.push_back({(warned ? QStringLiteral("⚠ ") : QString()) + names[place],
-                        plainTip(files[place]),
+                        files[place],
                         {},
                         inkColor(Ink::style, styles[k], theme)});
     }
