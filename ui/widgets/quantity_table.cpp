@@ -56,14 +56,16 @@ void prepare(QTextDocument& document, const QString& text, const QFont& font) {
     document.setHtml(richText(unbroken(text)));
 }
 
-// Width up to the decimal sign of a number, or of another text without letters; none of a sentence.
+// Width up to the decimal sign of a number, also of none and of about zero; none of a sentence or a
+// verdict.
 std::optional<int> wholeWidth(const QString& text, const QFontMetrics& metrics) {
     static const QRegularExpression letter(QStringLiteral("(?<!\\()\\p{L}"));  // but "(u 0.2)"
-    if (text.contains(letter)) {
+    static const QRegularExpression whole(QStringLiteral("^(?:—?$|[(≈]?\\s?[−+]?\\d[\\d\u202f]*)"));
+    const QRegularExpressionMatch match = whole.match(text);
+    if (!match.hasMatch() || text.contains(letter)) {
         return std::nullopt;
     }
-    static const QRegularExpression whole(QStringLiteral("^[^\\d]*[\\d\u202f]*"));
-    return metrics.horizontalAdvance(whole.match(text).captured());
+    return metrics.horizontalAdvance(match.captured());
 }
 
 // Of a cell with a text, pixels: width on one line, height in a column of a given width.

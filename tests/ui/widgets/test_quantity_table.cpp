@@ -69,7 +69,8 @@ private slots:
     void decimal_signs_stand_below_each_other() {
         QuantityTable table;
         const auto row = [](const QString& name, const QString& number, const QString& other) {
-            return QuantityRow{name, {}, {{number, {}, {}}, {other, {}, {}}}};
+            return QuantityRow{
+                name, {}, {{number, {}, {}}, {other, {}, {}}, {"✓ ≤ " + number, {}, {}}}};
         };
         table.setContent({}, {row("a", "5300.5(7)", "5300.5(7)"), row("b", "−0.012 ± 0.003", "—"),
                               row("c", "7", "taken as zero")});
@@ -98,6 +99,7 @@ private slots:
         VYBEG_AT_MOST(std::abs(left(1, 1) - first - wide("5300") + wide("−0")), bearing);
         VYBEG_AT_MOST(std::abs(left(2, 1) - first - wide("5300") + wide("7")), bearing);
         VYBEG_AT_MOST(std::abs(left(2, 2) - left(0, 2)), bearing);
+        VYBEG_AT_MOST(std::abs(left(2, 3) - left(0, 3)), bearing);
     }
 
     // A thing is a row, a quantity a column of one unit; the whole of a number is its tip.
