@@ -134,6 +134,10 @@ private slots:
                  QStringLiteral("0.000 01(9)").replace(' ', QChar(0x202f)));
         QCOMPARE(conciseText(-6.24e-8, 2e-9, -9), QStringLiteral("−62.4(20)"));
         QCOMPARE(conciseText(499511, 22, 3), QStringLiteral("499.511(22)"));
+        QCOMPARE(conciseText(1675.3, 40, 0), QStringLiteral("1680(40)"));
+        QCOMPARE(conciseText(1675.3, 40, 3), QStringLiteral("1.680(40)"));
+        QCOMPARE(conciseText(4.9951e8, 4e6, 6), QStringLiteral("500(4)"));
+        QCOMPARE(conciseText(4.9951e8, 4e6, 3).right(6), QStringLiteral("(4000)"));
         QCOMPARE(conciseText(499511, 22, 0).right(4), QStringLiteral("(22)"));
         QCOMPARE(conciseText(std::nan(""), 1, 3), QStringLiteral("—"));
     }
