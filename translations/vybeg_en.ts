@@ -109,10 +109,10 @@
     <context>
         <name>vybeg::ui::ResonatorPage</name>
         <message numerus="yes">
-            <source>%1, %n recording(s); χ² per degree of freedom %2</source>
+            <source>%1; %n recording(s)</source>
             <translation>
-                <numerusform>%1, %n recording; χ² per degree of freedom %2</numerusform>
-                <numerusform>%1, %n recordings; χ² per degree of freedom %2</numerusform>
+                <numerusform>%1; %n recording</numerusform>
+                <numerusform>%1; %n recordings</numerusform>
             </translation>
         </message>
     </context>

@@ -2454,14 +2454,6 @@
         <translation>Значения с суммарными стандартными неопределённостями u, с принятыми допусками каналов. Прочерк: записи этого не показывают; причина — на странице набора.</translation>
     </message>
     <message>
-        <source>Model: calibrated pair of pick-offs</source>
-        <translation>Модель с калиброванными датчиками</translation>
-    </message>
-    <message>
-        <source>Model: free</source>
-        <translation>Свободная модель</translation>
-    </message>
-    <message>
         <source>After the GUM (JCGM 100:2008): standard uncertainties in the unit of each parameter; u² is the sum of the squares; U has the coverage factor 2.</source>
         <translation>По GUM (JCGM 100:2008, ГОСТ Р 54500.3): стандартные неопределённости в единицах параметра; u² — сумма квадратов; у U коэффициент охвата 2.</translation>
     </message>
@@ -2936,10 +2928,6 @@
         <translation>нс</translation>
     </message>
     <message>
-        <source>The same as for %1</source>
-        <translation>То же, что для %1</translation>
-    </message>
-    <message>
         <source>Mode %1: %2</source>
         <translation>Мода %1: %2</translation>
     </message>
@@ -3176,10 +3164,6 @@
         <translation>Калибровать с δ = %1 мкс</translation>
     </message>
     <message>
-        <source>Take the offsets of the channels out</source>
-        <translation>Убрать смещения каналов</translation>
-    </message>
-    <message>
         <source>Calibrate with κ = %1</source>
         <translation>Калибровать с κ = %1</translation>
     </message>
@@ -3330,6 +3314,54 @@
     <message>
         <source>Since the passport</source>
         <translation>Отличие от паспорта</translation>
+    </message>
+    <message>
+        <source>taken as zero</source>
+        <translation>принято за нуль</translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation>как задано</translation>
+    </message>
+    <message>
+        <source>Structured model</source>
+        <translation>Модель с калиброванными датчиками</translation>
+    </message>
+    <message>
+        <source>Free model</source>
+        <translation>Свободная модель</translation>
+    </message>
+    <message>
+        <source>u: with the tolerances.</source>
+        <translation>u — с учётом допусков.</translation>
+    </message>
+    <message>
+        <source>±: standard deviation.</source>
+        <translation>± — СКО;</translation>
+    </message>
+    <message>
+        <source>Remove the offsets of the channels</source>
+        <translation>Убрать смещения каналов</translation>
+    </message>
+    <message>
+        <source>Squared residuals of its windows in the fit of all, in units of their noise; about 1 where there is nothing but noise</source>
+        <translation>Квадраты невязок её окон при общей подгонке, в единицах их шума; около 1, если есть только шум</translation>
+    </message>
+    <message>
+        <source>u: with the tolerances, some assumed.</source>
+        <translation>u — с учётом допусков, часть их принята.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 из %2</translation>
+    </message>
+    <message>
+        <source>Samples in each window</source>
+        <translation>Отсчётов в каждом окне</translation>
+    </message>
+    <message>
+        <source>no axis</source>
+        <translation>нет оси</translation>
     </message>
 </context>
 <context>
@@ -5916,6 +5948,10 @@
         <source>Zero within its band while the channels are balanced as the fit has them</source>
         <translation>Нуль в пределах полосы, пока каналы сбалансированы так, как в подгонке</translation>
     </message>
+    <message>
+        <source>Copy harmonics</source>
+        <translation>Копировать гармоники</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::FileCommands</name>
@@ -7277,10 +7313,6 @@
         <translation>Записи</translation>
     </message>
     <message>
-        <source>What the wave of each recording did, and what the fit found of it</source>
-        <translation>Что делала волна каждой записи и что о ней нашла подгонка</translation>
-    </message>
-    <message>
         <source>Frequencies and decay times of both modes</source>
         <translation>Частоты и времена затухания обеих мод</translation>
     </message>
@@ -7291,6 +7323,18 @@
     <message>
         <source>By how much errors of a usual size would falsify a value</source>
         <translation>Насколько обычные погрешности исказили бы значение</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Короче</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Допуски</translation>
+    </message>
+    <message>
+        <source>What the wave of each recording did, and what the fit found of it</source>
+        <translation>Что делала волна каждой записи и что о ней нашла подгонка</translation>
     </message>
 </context>
 <context>
@@ -7556,32 +7600,12 @@
         <translation>Откройте записи выбега, чтобы идентифицировать резонатор.</translation>
     </message>
     <message>
-        <source>Structured model</source>
-        <translation>Модель с калиброванными датчиками</translation>
-    </message>
-    <message>
-        <source>Free model</source>
-        <translation>Свободная модель</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1, %n recording(s); χ² per degree of freedom %2</source>
-        <translation>
-            <numerusform>%1, %n запись; χ² на степень свободы %2</numerusform>
-            <numerusform>%1, %n записи; χ² на степень свободы %2</numerusform>
-            <numerusform>%1, %n записей; χ² на степень свободы %2</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Out of date.</source>
         <translation>Устарело.</translation>
     </message>
     <message>
         <source>The set or its settings have changed since: identify again.</source>
         <translation>Набор или его параметры с тех пор изменились: идентифицируйте снова.</translation>
-    </message>
-    <message>
-        <source>Result of the session, identified by %1 from %2. %3; χ² per degree of freedom %4. The motion of the waves, the plots and the report need the recordings.</source>
-        <translation>Результат из сеанса, вычислен программой %1 по записям %2. %3; χ² на степень свободы %4. Для движения волн, графиков и отчёта нужны сами записи.</translation>
     </message>
     <message>
         <source>⚠ Without these recordings of the measurement list: %1.</source>
@@ -7606,6 +7630,18 @@
     <message>
         <source>What has changed since the passport was made</source>
         <translation>Что изменилось после составления паспорта</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1; %n recording(s)</source>
+        <translation>
+            <numerusform>%1; %n запись</numerusform>
+            <numerusform>%1; %n записи</numerusform>
+            <numerusform>%1; %n записей</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Result of the session, identified by %1 from %2. %3. The motion of the waves, the plots and the report need the recordings.</source>
+        <translation>Результат из сеанса, вычислен программой %1 по записям %2. %3. Для движения волн, графиков и отчёта нужны сами записи.</translation>
     </message>
 </context>
 <context>
@@ -7705,14 +7741,6 @@
         <translation>Автоматически</translation>
     </message>
     <message>
-        <source>Structured: calibrated pick-offs</source>
-        <translation>С калиброванными датчиками</translation>
-    </message>
-    <message>
-        <source>Free: modes alone</source>
-        <translation>Свободная: только моды</translation>
-    </message>
-    <message>
         <source>Structured, unless the free model fits significantly better</source>
         <translation>С калиброванными датчиками, если свободная не подходит значимо лучше</translation>
     </message>
@@ -7761,20 +7789,12 @@
         <translation>Журналы…</translation>
     </message>
     <message>
-        <source>Add logs to the set, take some out, or tell otherwise what they are</source>
-        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
-    </message>
-    <message>
         <source>Sets</source>
         <translation>Наборы</translation>
     </message>
     <message>
         <source>Sets of recordings</source>
         <translation>Наборы записей</translation>
-    </message>
-    <message>
-        <source>Each with its recordings: those that are checked are of one resonator and are identified together. A check mark behind their number: identified. F2 names a set; Delete takes a recording or a set away</source>
-        <translation>Каждый со своими записями: отмеченные принадлежат одному резонатору и идентифицируются вместе. Галочка после их числа: набор идентифицирован. F2 — назвать набор; Delete — убрать запись или набор</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -7787,6 +7807,22 @@
     <message>
         <source>%1 rec.</source>
         <translation>%1 зап.</translation>
+    </message>
+    <message>
+        <source>Each with its recordings: those that are checked are of one resonator and are identified together. A check mark behind their number: identified. F2 names a set; Delete removes a recording or a set</source>
+        <translation>Каждый со своими записями: отмеченные принадлежат одному резонатору и идентифицируются вместе. Галочка после их числа: набор идентифицирован. F2 — назвать набор; Delete — убрать запись или набор</translation>
+    </message>
+    <message>
+        <source>Add logs to the set, remove some, or tell otherwise what they are</source>
+        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
+    </message>
+    <message>
+        <source>Structured</source>
+        <translation>С калиброванными датчиками</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Свободная</translation>
     </message>
 </context>
 <context>

@@ -263,6 +263,8 @@ RoundView::RoundView(bool polar, QWidget* parent)
     connect(view_->chart(), &QChart::geometryChanged, this, &RoundView::rebuild);
     setMinimumSize(180, 180);
     addDrawing(view_);
+    // Its hint is the size it has: a page that scrolls would not shrink with its window.
+    view_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     layout()->addWidget(legend_);
     legend_->setWordWrap(true);
     legend_->setAlignment(Qt::AlignHCenter);

@@ -4,6 +4,7 @@
 #include "ui/report/report_parts.h"
 #include "ui/resonator/parameter_text.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/resonator/run_text.h"
 #include "ui/words/display_units.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
@@ -105,13 +106,6 @@ QString part(const QString& title, const QString& tables) {
     return tables.isEmpty() ? tables : smallHeading(title) + tables;
 }
 
-QString modelText(const Identification& found) {
-    const QString model = found.fit.model == ResonatorModel::structured
-                              ? ReportWords::tr("Model: calibrated pair of pick-offs")
-                              : ReportWords::tr("Model: free");
-    return QStringLiteral("%1; χ²/ν = %2").arg(model, shortNumberText(found.fit.chi2_per_dof, 3));
-}
-
 // The sources of u.
 QString tolerancesText(const Identification& found) {
     const QStringList tolerances = toleranceTexts(found.settings);
@@ -195,7 +189,7 @@ QString resultSection(const ReportContent& content) {
     if (const QString verdict = verdictText(content); !verdict.isEmpty()) {
         text += QStringLiteral("<p><b>%1</b></p>").arg(richText(verdict));
     }
-    text += paragraph(modelText(found) + QStringLiteral(". ") + tolerancesText(found));
+    text += paragraph(fitText(found.fit) + QStringLiteral(". ") + tolerancesText(found));
     if (const QStringList absent = absentTitles(found, content.units); !absent.isEmpty()) {
         text += paragraph(ReportWords::tr("Not shown by the recordings: %1.")
                               .arg(absent.join(QStringLiteral(", "))));
@@ -215,7 +209,7 @@ QString resonatorSection(const ReportContent& content) {
     for (const RecordingRef& recording : content.outcome->set.recordings) {
         names << QString::fromStdString(recording.name());
     }
-    QString text = heading(title, true) + paragraph(modelText(found));
+    QString text = heading(title, true) + paragraph(fitText(found.fit));
     if (content.out_of_date) {
         text += paragraph(
             ReportWords::tr("Identified with other settings or recordings than the present ones."));

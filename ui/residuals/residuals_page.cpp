@@ -253,20 +253,8 @@ void ResidualsPage::showFound() {
 
 // A quantity is a column, a channel a row: as wide as the plots and low.
 void ResidualsPage::showNumbers() {
-    const std::vector<QuantityRow> quantities = residualRows(*found_, unit(), theme().warning);
-    QStringList heads;
-    std::vector<QuantityRow> channels{{QStringLiteral("C"), {}, {}}, {QStringLiteral("D"), {}, {}}};
-    for (const QuantityRow& quantity : quantities) {
-        heads << quantity.name;
-        for (std::size_t k = 0; k < channels.size(); ++k) {
-            channels[k].cells.push_back(quantity.cells[k]);
-        }
-    }
-    numbers_->setContent(heads, channels);
-    for (int column = 0; column < heads.size(); ++column) {
-        numbers_->horizontalHeaderItem(column + 1)
-            ->setToolTip(richTip(quantities[static_cast<std::size_t>(column)].tip));
-    }
+    numbers_->setColumns(residualRows(*found_, unit(), theme().warning),
+                         {{QStringLiteral("C"), {}, {}}, {QStringLiteral("D"), {}, {}}});
 }
 
 QString ResidualsPage::emptyText() const {

@@ -3,16 +3,20 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/document/document.h"
 #include "ui/plots/plot_view.h"
+#include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/values/recording_set.h"
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QTableWidgetItem;
 class QTabWidget;
 
 namespace vybeg::ui {
@@ -25,16 +29,15 @@ class WarningList;
 // What a part of the page Resonator shows of an identification.
 class OutcomeView : public MeasuredPage {
 public:
-    using MeasuredPage::MeasuredPage;
+    OutcomeView(Document& document, QWidget* parent);
 
     // Null: the set is not identified yet.
-    void setOutcome(std::shared_ptr<const SetResult> outcome) {
-        shown_ = std::move(outcome);
-        showAgain();
-    }
+    void setOutcome(std::shared_ptr<const SetResult> outcome);
 
 protected:
+    Document& document_;
     std::shared_ptr<const SetResult> shown_;
+    RunStyles styles_;  // of its recordings
 };
 
 // The parameters of the resonator, with their limits and their change since the open passport, of
@@ -59,15 +62,19 @@ private:
     void showAgain() override;
     void retranslate() override;
     static QString modesTitle(const ResonatorFit& fit);
+    void showParameters();
+    void showStatistical();
+    void say(const QTableWidgetItem* item);
 
-    Document& document_;
     WarningList* warnings_;
     QuantityTable* resonator_;
+    QLabel* reason_;  // of the chosen cell
     QLabel* statistical_;
+    bool told_ = false;  // in full
     QTabWidget* tabs_;
     WarningList* findings_;
     QuantityTable* waves_;
-    QuantityTable* runs_;
+    std::array<QuantityTable*, 2> runs_;
     QuantityTable* modes_;
     QuantityTable* sensitivities_;
     int recordings_tab_ = 0;
@@ -81,7 +88,7 @@ class FiguresView : public OutcomeView {
     Q_OBJECT
 
 public:
-    explicit FiguresView(QWidget* parent = nullptr);
+    explicit FiguresView(Document& document, QWidget* parent = nullptr);
 
     FigureSource figures() const override;
     QWidget* balance() const { return balance_; }
@@ -97,7 +104,8 @@ private:
     RoundView* rim_;
     QLabel* drift_name_;
     XYPlotView* drift_plot_;
-    QuantityTable* drift_;
+    QLabel* drift_;  // its harmonics
+    QAction* copy_drift_;
     QWidget* balance_;
     QLabel* balance_name_;
     QComboBox* balance_axis_;
@@ -115,7 +123,6 @@ private:
     void showAgain() override;
     void retranslate() override;
 
-    Document& document_;
     QLabel* passport_;
     QLabel* other_gyro_;
     QLabel* limit_label_;

@@ -117,6 +117,12 @@ Shown shownAs(const std::string& name, const char* unit, const DisplayUnits& uni
     return shown;
 }
 
+int columnPower(double most, int digits) {
+    const int digit = most > 0 ? static_cast<int>(std::floor(std::log10(most))) : 0;
+    const int thousands = std::clamp(static_cast<int>(std::floor(digit / 3.)), -5, 4);
+    return digit < -3 || digit >= digits ? 3 * thousands : 0;
+}
+
 QuantityRow rowOf(const Shown& shown, std::vector<QuantityCell> cells) {
     return {withUnit(shown.title, shown.unit), shown.tip, std::move(cells)};
 }

@@ -33,6 +33,8 @@ QuantityCell sentenceCell(const QString& text);
 QuantityCell cellOf(const Estimate& estimate, double factor = 1);
 // "≠ +0.8 ± 0.1": a change since the passport, its sign and colour those of the verdict.
 QuantityCell changeCell(const Difference& difference, double factor, const Theme& theme);
+// The power of ten of a column whose greatest number has no more than so many digits.
+int columnPower(double most, int digits);
 QuantityRow rowOf(const Shown& shown, std::vector<QuantityCell> cells = {});
 
 // Displayed unit and factor of angles (rad) and of their rates (rad/s).

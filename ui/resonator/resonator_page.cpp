@@ -19,7 +19,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
       set_(new SetPanel(document, this)),
       state_(sentence(this, "state")),
       numbers_(withPart(new NumbersView(document, this))),
-      figures_(withPart(new FiguresView(this))),
+      figures_(withPart(new FiguresView(document, this))),
       comparison_(withPart(new ComparisonView(document, this))) {
     balance_tab_ = numbers_->addTab(figures_->balance());
     comparison_tab_ = numbers_->addTab(comparison_);
@@ -168,10 +168,8 @@ void ResonatorPage::showState(const RecordingSet* set) {
 
 QString ResonatorPage::stateText(const RecordingSet* set) const {
     if (shown_) {
-        const ResonatorFit& fit = shown_->identification.fit;
-        return tr("%1, %n recording(s); χ² per degree of freedom %2", nullptr,
-                  static_cast<int>(shown_->set.recordings.size()))
-            .arg(modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
+        return tr("%1; %n recording(s)", nullptr, static_cast<int>(shown_->set.recordings.size()))
+            .arg(fitText(shown_->identification.fit));
     }
     if (set && kept_) {
         if (kept_->fault) {
@@ -181,21 +179,15 @@ QString ResonatorPage::stateText(const RecordingSet* set) const {
         for (const RecordingRef& recording : kept_->set.recordings) {
             names << QString::fromStdString(recording.name()).toHtmlEscaped();
         }
-        const ResonatorFit& fit = kept_->identification.fit;
-        return tr("Result of the session, identified by %1 from %2. %3; χ² per degree of freedom "
-                  "%4. The motion of the waves, the plots and the report need the recordings.")
+        return tr("Result of the session, identified by %1 from %2. %3. The motion of the waves, "
+                  "the plots and the report need the recordings.")
             .arg(QString::fromStdString(kept_->program).toHtmlEscaped(),
-                 names.join(QStringLiteral(", ")), modelText(fit.model),
-                 shortNumberText(fit.chi2_per_dof, 3));
+                 names.join(QStringLiteral(", ")), fitText(kept_->identification.fit));
     }
     return set && document_.sets().identifying(set->id) ? tr("Being identified…")
            : document_.sets().canIdentify()
                ? tr("Nothing identified yet.")
                : tr("Open recordings of a free decay to identify the resonator.");
-}
-
-QString ResonatorPage::modelText(ResonatorModel model) {
-    return model == ResonatorModel::structured ? tr("Structured model") : tr("Free model");
 }
 
 }  // namespace vybeg::ui

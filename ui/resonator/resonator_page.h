@@ -36,7 +36,6 @@ private:
     void calibrate(const QString& offer, const FoundCalibration& found);
     void showState(const RecordingSet* set);
     QString stateText(const RecordingSet* set) const;
-    static QString modelText(ResonatorModel model);
 
     Document& document_;
     std::shared_ptr<const SetResult> shown_;

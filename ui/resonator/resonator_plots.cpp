@@ -19,6 +19,10 @@ QString shortName(const std::string& file) {
     return QFileInfo(QString::fromStdString(file)).completeBaseName();
 }
 
+int styleAt(const RunStyles& styles, std::size_t run) {
+    return run < styles.size() ? styles[run] : static_cast<int>(run);
+}
+
 std::vector<double> times(double factor, const std::vector<double>& values) {
     std::vector<double> scaled(values);
     std::ranges::transform(scaled, scaled.begin(), [factor](double v) { return factor * v; });
@@ -73,7 +77,8 @@ RoundSeries axes(const QString& name, Ink ink, const Estimate& angle) {
 
 // The deflected rim of a wave, out of scale.
 RoundSeries wave(const QString& name, int style, double two_theta_A) {
-    RoundSeries curve{.name = name, .color = curveStyle(style).color};
+    const CurveStyle look = curveStyle(style);
+    RoundSeries curve{.name = name, .color = look.color, .shade = look.shade};
     for (int angle = 0; angle <= 360; angle += 2) {
         curve.x.push_back(angle);
         curve.y.push_back(0.72 + 0.16 * std::cos(2 * angle * degree - two_theta_A));
@@ -112,7 +117,27 @@ XYSeries trackOf(const RunTrack& track, SlowVariable variable, double angle) {
 
 }  // namespace
 
-XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units) {
+std::optional<int> styleOf(const Document& document, RecordingId recording) {
+    const auto& analyses = document.analyses();
+    const auto of = std::ranges::find(analyses, recording, &AnalysisEntry::recording_id);
+    for (int color = 0; of != analyses.end() && color < curve_colors; ++color) {
+        if (curveStyle(color).color == of->shown.color) {
+            return color + curve_colors * of->shown.shade;
+        }
+    }
+    return std::nullopt;
+}
+
+RunStyles runStyles(const Document& document, const SetResult& outcome) {
+    RunStyles styles;
+    for (const RecordingRef& recording : outcome.set.recordings) {
+        styles.push_back(styleOf(document, static_cast<RecordingId>(recording.id))
+                             .value_or(static_cast<int>(styles.size())));
+    }
+    return styles;
+}
+
+XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units, const RunStyles& styles) {
     const DriftFunction& drift = outcome.identification.drift;
     const double angle = angleFactor(units);
     const double rate = angleRateFactor(units);
@@ -131,7 +156,7 @@ XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units) {
     }
     for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
         XYSeries points{.name = shortName(outcome.set.recordings[run].name()),
-                        .style = static_cast<int>(run),
+                        .style = styleAt(styles, run),
                         .points = true};
         for (const DriftPoint& point : drift.points) {
             if (point.run == run) {
@@ -147,7 +172,8 @@ XYPlot driftPlot(const SetResult& outcome, const DisplayUnits& units) {
     return plot;
 }
 
-XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnits& units) {
+XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnits& units,
+                   const RunStyles& styles) {
     const std::vector<ChannelBalance>& balance = outcome.identification.balance;
     const bool over_time = axis == BalanceAxis::time;
     XYPlot plot;
@@ -159,7 +185,7 @@ XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnit
     for (std::size_t run = 0; run < balance.size(); ++run) {
         if (!balance[run].time_s.empty()) {
             plot.series.push_back({.name = shortName(outcome.set.recordings[run].name()),
-                                   .style = static_cast<int>(run),
+                                   .style = styleAt(styles, run),
                                    .points = !over_time,
                                    .x = over_time
                                             ? balance[run].time_s
@@ -171,7 +197,7 @@ XYPlot balancePlot(const SetResult& outcome, BalanceAxis axis, const DisplayUnit
     return plot;
 }
 
-RoundPlot rimPlot(const SetResult& outcome) {
+RoundPlot rimPlot(const SetResult& outcome, const RunStyles& styles) {
     RoundPlot plot;
     plot.reach = 1.1;
     plot.scale = false;
@@ -195,14 +221,14 @@ RoundPlot rimPlot(const SetResult& outcome) {
     for (std::size_t run = 0; run < fit.runs.size(); ++run) {
         if (fit.runs[run].two_theta_A_rad.given()) {
             plot.series.push_back(wave(shortName(outcome.set.recordings[run].name()),
-                                       static_cast<int>(run), fit.runs[run].two_theta_A_rad.value));
+                                       styleAt(styles, run), fit.runs[run].two_theta_A_rad.value));
         }
     }
     return plot;
 }
 
 XYPlot trackPlot(const SetResult& outcome, const Passport& passport, SlowVariable variable,
-                 const DisplayUnits& units) {
+                 const DisplayUnits& units, const RunStyles& styles) {
     XYPlot plot;
     plot.x_name = QStringLiteral("t");
     plot.x_unit = ResonatorWords::tr("s");
@@ -216,14 +242,14 @@ XYPlot trackPlot(const SetResult& outcome, const Passport& passport, SlowVariabl
         if (run == 0) {  // one entry for the shade of all of them
             then.name = ResonatorWords::tr("passport");
         }
-        then.style = static_cast<int>(run);
+        then.style = styleAt(styles, run);
         then.shades = 2;
         plot.series.push_back(std::move(then));
     }
     for (std::size_t run = 0; run < outcome.set.recordings.size(); ++run) {
         XYSeries now = trackOf(outcome.identification.runs[run].track, variable, angle);
         now.name = shortName(outcome.set.recordings[run].name());
-        now.style = static_cast<int>(run);
+        now.style = styleAt(styles, run);
         plot.series.push_back(std::move(now));
     }
     return plot;

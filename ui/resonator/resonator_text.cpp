@@ -49,22 +49,6 @@ namespace {
 constexpr double negligible = 0.01;
 constexpr int limit_digits = 8;
 
-// Replaces a repeated reason by a reference to its first row.
-void collapseRepeatedReasons(std::vector<QuantityRow>& rows) {
-    for (std::size_t k = 1; k < rows.size(); ++k) {
-        for (std::size_t first = 0; first < k; ++first) {
-            QuantityCell& cell = rows[k].cells.front();
-            const bool is_sentence = cell.exact.front() == cell.text;
-            if (is_sentence && cell.text == rows[first].cells.front().text) {
-                const QString other = rows[first].name.section(QLatin1Char(','), 0, 0);
-                cell.text = ResonatorWords::tr("The same as for %1")
-                                .arg(other.section(QLatin1Char(' '), -1));
-                break;
-            }
-        }
-    }
-}
-
 // Names of a tolerance and of an error of usual size.
 struct SourceWords {
     const char* tolerance;
@@ -108,8 +92,8 @@ Changes changesOf(const Shown& shown, const Estimate& estimate, const BySource& 
     const double least = std::abs(shown.factor) * negligible * estimate.sd;
     most = most > least ? most : 0;
     const int digit = most > 0 ? static_cast<int>(std::floor(std::log10(most))) : 0;
-    const int thousands = std::clamp(static_cast<int>(std::floor(digit / 3.)), -5, 4);
-    const int power = digit < -3 || digit > 3 ? 3 * thousands : 0;
+    constexpr int most_digits = 4;
+    const int power = columnPower(most, most_digits);
     const int decimals = std::max(0, 2 - digit + power);
     const double unit = std::pow(10., power);
     Changes column{withUnit(shown.title.section(QLatin1Char(' '), -1),
@@ -220,7 +204,6 @@ std::vector<QuantityRow> resonatorRows(const Identification& found, const Displa
                           change == differences.end() ? QuantityCell{{}, {QString()}, {}}
                                                       : changeCell(*change, factor, theme)}));
     }
-    collapseRepeatedReasons(rows);
     return rows;
 }
 
@@ -262,34 +245,6 @@ QStringList absentTitles(const Identification& found, const DisplayUnits& units)
     return titles;
 }
 
-std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units) {
-    // As wave_parameters.
-    static constexpr std::array<std::pair<const char*, const char*>, 4> texts{{
-        {QT_TRANSLATE_NOOP("Resonator", "Frequency of the wave"),
-         QT_TRANSLATE_NOOP("Resonator", "Mean rate of its phase, by power of both channels")},
-        {QT_TRANSLATE_NOOP("Resonator", "Decay time of the wave"),
-         QT_TRANSLATE_NOOP("Resonator", "Of √(a_A² + a_B²)")},
-        {QT_TRANSLATE_NOOP("Resonator", "Drift dθ_A/dt"),
-         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the angle of the working wave")},
-        {QT_TRANSLATE_NOOP("Resonator", "Quadrature growth d(a_B/a_A)/dt"),
-         QT_TRANSLATE_NOOP("Resonator", "Mean rate of the ratio of both waves")},
-    }};
-    static_assert(texts.size() == wave_parameters.size());
-    std::vector<QuantityRow> rows;
-    for (std::size_t k = 0; k < wave_parameters.size(); ++k) {
-        const WaveParameter& parameter = wave_parameters[k];
-        Shown shown = shownAs(parameter.name, parameter.unit, units);
-        shown.title = ResonatorWords::tr(texts[k].first);
-        shown.tip = ResonatorWords::tr(texts[k].second);
-        QuantityRow row = rowOf(shown);
-        for (const IdentifiedRun& run : found.runs) {
-            row.cells.push_back(cellOf(run.wave.*parameter.member, shown.factor));
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
-
 QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& units) {
     QStringList headers;
     for (const Changes& column : allChanges(found, units)) {
@@ -315,93 +270,6 @@ std::vector<QuantityRow> modeRows(const ResonatorFit& fit) {
     return rowsOfModes(fit, [](const Estimate& estimate) { return cellOf(estimate); });
 }
 
-std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units) {
-    const QString hertz = unitText("Hz");
-    const QString amplitude = ResonatorWords::tr("rec. units");
-    std::vector<QuantityRow> rows;
-    const auto add = [&](const QString& title, const QString& unit, const QString& tip,
-                         const auto& cell) {
-        QuantityRow row{withUnit(title, unit), tip, {}};
-        for (std::size_t k = 0; k < found.runs.size(); ++k) {
-            row.cells.push_back(cell(k));
-        }
-        rows.push_back(std::move(row));
-    };
-    const auto estimate = [&](Estimate RunEstimate::*member, double factor) {
-        return [&found, member, factor](std::size_t k) {
-            return cellOf(found.fit.runs[k].*member, factor);
-        };
-    };
-    add(ResonatorWords::tr("Frequency offset"), hertz,
-        ResonatorWords::tr("From the mean frequency of the recordings"),
-        estimate(&RunEstimate::f_offset_hz, 1));
-    add(ResonatorWords::tr("Start angle θ_A"), angleUnit(units),
-        ResonatorWords::tr("Angle of the working wave at the start"),
-        estimate(&RunEstimate::two_theta_A_rad, angleFactor(units) / 2));
-    add(QStringLiteral("a_A"), amplitude,
-        ResonatorWords::tr("Amplitude of the working wave at the start"),
-        estimate(&RunEstimate::a_A, 1));
-    add(QStringLiteral("a_B"), amplitude,
-        ResonatorWords::tr("Amplitude of the quadrature wave at the start"),
-        estimate(&RunEstimate::a_B, 1));
-    add(QStringLiteral("Δf sin 4(θ_A − θ_w)"), hertz,
-        ResonatorWords::tr(
-            "What of the frequency split makes the quadrature of this recording grow"),
-        estimate(&RunEstimate::split_sin_hz, 1));
-    add(ResonatorWords::tr("f of this direction"), hertz,
-        ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
-        estimate(&RunEstimate::direction_f_hz, 1));
-    add(ResonatorWords::tr("τ of this direction"), unitText("s"),
-        ResonatorWords::tr("Of a wave that stays in the direction in which this one starts"),
-        estimate(&RunEstimate::direction_tau_s, 1));
-    add(ResonatorWords::tr("Q of this wave"), {},
-        ResonatorWords::tr("Of its envelope alone: the power of this recording. Q of the resonator "
-                           "is the mean of all directions"),
-        estimate(&RunEstimate::q_envelope, 1));
-    const bool varies = std::ranges::any_of(
-        found.fit.runs, [](const RunEstimate& run) { return run.law && run.q_envelope.given(); });
-    if (varies) {
-        add(ResonatorWords::tr("Q over the amplitude"), {},
-            ResonatorWords::tr("Amplitude at which Q of this wave holds; Q at the largest and at "
-                               "the smallest amplitude"),
-            [&found](std::size_t k) {
-                const RunEstimate& run = found.fit.runs[k];
-                if (!run.law || !run.q_envelope.given()) {
-                    return sentenceCell({});
-                }
-                const QBand band = q_band(*run.law, run.q_envelope.value);
-                const QLocale locale;
-                const auto text = [&locale](double x) { return locale.toString(x, 'g', 3); };
-                return sentenceCell(ResonatorWords::tr("at %1; %2 at %3, %4 at %5")
-                                        .arg(text(band.amplitude), text(band.q_at_largest),
-                                             text(band.largest), text(band.q_at_smallest),
-                                             text(band.smallest)));
-            });
-    }
-    if (found.fit.model == ResonatorModel::structured) {
-        add(ResonatorWords::tr("Q coherent"), {},
-            ResonatorWords::tr("Quality factor from the coherent fit of all recordings"),
-            [&found](std::size_t) { return cellOf(found.fit.resonator.q); });
-    }
-    add(ResonatorWords::tr("Frequency drift"), unitText("Hz") + "/" + unitText("s"),
-        ResonatorWords::tr("Of this recording, over time"),
-        estimate(&RunEstimate::drift_hz_per_s, 1));
-    add(ResonatorWords::tr("Noise σ"), amplitude,
-        ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
-            const double sd = found.runs[k].noise_sd;
-            return QuantityCell{noiseText(sd), {exactText(sd), QString(), QString()}, {}};
-        });
-    add(ResonatorWords::tr("Windows used"), {},
-        ResonatorWords::tr("Without gaps and faults, of all; samples in each"),
-        [&found](std::size_t k) {
-            const IdentifiedRun& run = found.runs[k];
-            return sentenceCell(ResonatorWords::tr("%1 of %2, n = %3")
-                                    .arg(countLabel(run.windows_used), countLabel(run.windows),
-                                         countLabel(run.window)));
-        });
-    return rows;
-}
-
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units) {
     const DriftFunction& drift = found.drift;
     const QString names[] = {ResonatorWords::tr("Mean drift"), QStringLiteral("cos 4θ_A"),
@@ -419,6 +287,48 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
             {withUnit(names[k], angleRateUnit(units)), {}, {cellOf(drift.coefficient(k), factor)}});
     }
     return rows;
+}
+
+QString driftSentence(const std::vector<QuantityRow>& rows, const DisplayUnits& units) {
+    QStringList harmonics;
+    for (const QuantityRow& row : rows) {
+        harmonics << row.name.section(QLatin1Char(','), 0, 0) + QChar(0xa0) +
+                         row.cells.front().concise;
+    }
+    return harmonics.join(QStringLiteral(", ")) + QChar(0xa0) + angleRateUnit(units);
+}
+
+QString absenceWord(const ResonatorParameter& parameter, const Reason& reason,
+                    const DisplayUnits& units) {
+    const Shown shown = shownAs(parameter.name, parameter.unit, units);
+    const auto atMost = [&] {
+        constexpr int digits = 3;
+        const double most = parse_number(reason.args.at(0).text).value_or(std::nan(""));
+        return QStringLiteral("≤ ") + shortNumberText(shown.factor * most, digits);
+    };
+    QString word = QStringLiteral("—");
+    if (reason.code == ReasonCode::held) {
+        word = ResonatorWords::tr("taken as zero");
+    } else if (reason.code == ReasonCode::as_given) {
+        word = ResonatorWords::tr("as given");
+    } else if (reason.code == ReasonCode::not_nonlinear) {
+        word = atMost();
+    } else if (reason.code == ReasonCode::within_noise) {
+        // An axis has the bound of what it is the axis of.
+        word =
+            english(reason.args.at(1)) == parameter.unit ? atMost() : ResonatorWords::tr("no axis");
+    }
+    return word + QStringLiteral(" *");
+}
+
+QString modelText(ResonatorModel model) {
+    return model == ResonatorModel::structured ? ResonatorWords::tr("Structured model")
+                                               : ResonatorWords::tr("Free model");
+}
+
+QString fitText(const ResonatorFit& fit) {
+    return QStringLiteral("%1; χ²/ν = %2")
+        .arg(modelText(fit.model), shortNumberText(fit.chi2_per_dof, 3));
 }
 
 QString toleranceName(ErrorSource source, const IdentifySettings& settings) {
@@ -470,6 +380,16 @@ QString uncertaintyText(const Identification& found) {
     return QStringLiteral("%1 %2").arg(text, clockText(found.settings)).trimmed();
 }
 
+QString uncertaintyWords(const Identification& found) {
+    const QString& tolerances = toleranceTexts(found.settings).isEmpty() ? QString()
+                                : anyAssumed(found.settings)
+                                    ? ResonatorWords::tr("u: with the tolerances, some assumed.")
+                                    : ResonatorWords::tr("u: with the tolerances.");
+    return QStringLiteral("%1 %2 %3")
+        .arg(ResonatorWords::tr("±: standard deviation."), tolerances, clockText(found.settings))
+        .simplified();
+}
+
 FoundCalibration foundCalibration(const Identification& found) {
     constexpr double certain = 3;
     const ToleratedError& delay = tolerated_errors[delay_error];
@@ -514,7 +434,7 @@ QString calibrationOffers(const FoundCalibration& found) {
                          .arg(shortNumberText(*found.delay_d_s * 1e6, 4)));
     }
     if (found.offsets) {
-        add("offset", ResonatorWords::tr("Take the offsets of the channels out"));
+        add("offset", ResonatorWords::tr("Remove the offsets of the channels"));
     }
     return links.join(QStringLiteral("<br>"));
 }

@@ -22,8 +22,6 @@ QStringList conditionsText(const RecordingRef& recording);
 // standard deviations, reasons for missing values. Angles in the units of display, their rates in
 // rad/s or degrees per hour.
 
-// Motion of the wave, one column per recording.
-std::vector<QuantityRow> waveRows(const Identification& found, const DisplayUnits& units);
 // Columns of the value, of u where it differs from the standard deviation, of the limit and of the
 // change since a passport, some without any text; no rows for the free model.
 QStringList resonatorHeaders();
@@ -44,10 +42,17 @@ QStringList sensitivityHeaders(const Identification& found, const DisplayUnits& 
 std::vector<QuantityRow> sensitivityRows(const Identification& found, const DisplayUnits& units);
 // One column; one row with the reason if the modes are not separated.
 std::vector<QuantityRow> modeRows(const ResonatorFit& fit);
-// One column for each recording.
-std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits& units);
 // One column: mean and harmonics of the drift function, or the reason for its absence.
 std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUnits& units);
+// "Mean drift 0.005(15), cos 4θ_A 7.396(15), … °/h".
+QString driftSentence(const std::vector<QuantityRow>& rows, const DisplayUnits& units);
+// In place of a parameter that is not given, with a mark of the reason: "taken as zero *".
+QString absenceWord(const ResonatorParameter& parameter, const Reason& reason,
+                    const DisplayUnits& units);
+
+QString modelText(ResonatorModel model);
+// "Structured model; χ²/ν = 1.01".
+QString fitText(const ResonatorFit& fit);
 
 // The source of a part of u, e.g. "Delay (assumed)" where its tolerance is not stated.
 QString toleranceName(ErrorSource source, const IdentifySettings& settings);
@@ -56,8 +61,9 @@ QStringList toleranceTexts(const IdentifySettings& settings);
 bool anyAssumed(const IdentifySettings& settings);
 // The clock that the frequencies follow, where its tolerance is not stated; or empty.
 QString clockText(const IdentifySettings& settings);
-// What ± and u hold, and whose clock the frequencies follow.
+// What ± and u hold, and whose clock the frequencies follow; in short.
 QString uncertaintyText(const Identification& found);
+QString uncertaintyWords(const Identification& found);
 
 // What of the calibration a result shows to be another one than it was identified with.
 struct FoundCalibration {

@@ -2,8 +2,10 @@
 
 #include "core/analysis/setting_table.h"
 #include "ui/panels/file_list.h"
+#include "ui/resonator/resonator_plots.h"
 #include "ui/resonator/resonator_text.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/widgets/theme.h"
 #include "ui/words/rich_text.h"
 #include "ui/words/short_names.h"
 
@@ -16,6 +18,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -41,6 +45,33 @@ QString logText(const LogChoice& logs) {
     return told.join(QStringLiteral(", "));
 }
 
+// The recordings of a set begin their names with it; empty: they have nothing in common.
+QString nameOfFiles(const Document& document, const RecordingSet& set) {
+    QStringList files;
+    for (const RecordingId id : set.recordings) {
+        if (const RecordingEntry* entry = document.recording(id)) {  // not yet closed
+            files << entry->name;
+        }
+    }
+    return files.size() > 1 ? commonName(files) : QString();
+}
+
+QIcon dotIcon(const QColor& color) {
+    constexpr int scale = 3;
+    constexpr int size = 8 * scale;
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(color);
+    painter.drawEllipse(pixmap.rect());
+    painter.end();
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected);
+    return icon;
+}
+
 }  // namespace
 
 QString setName(const Document& document, const RecordingSet& set) {
@@ -53,7 +84,14 @@ QString setName(const Document& document, const RecordingSet& set) {
     if (set.recordings.size() == 1) {
         return QFileInfo(document.recording(set.recordings.front())->path).completeBaseName();
     }
-    return QCoreApplication::translate("SetPanel", "Set %1").arg(set.number);
+    const QString name = nameOfFiles(document, set);
+    if (name.isEmpty()) {
+        return QCoreApplication::translate("SetPanel", "Set %1").arg(set.number);
+    }
+    const bool shared = std::ranges::any_of(document.sets().all(), [&](const RecordingSet& other) {
+        return other.id != set.id && nameOfFiles(document, other) == name;
+    });
+    return shared ? QStringLiteral("%1 (%2)").arg(name).arg(set.number) : name;
 }
 
 SetTree::SetTree(QWidget* parent) : QTreeWidget(parent) {
@@ -64,6 +102,8 @@ SetTree::SetTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     constexpr int step = 14;
     setIndentation(step);
+    constexpr int dot = 8;
+    setIconSize({dot, dot});
     setUniformRowHeights(true);
     setExpandsOnDoubleClick(false);
     setEditTriggers(EditKeyPressed | DoubleClicked);
@@ -147,8 +187,8 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     model_->addItems({QString(), QString(), QString()});
 
     auto* head = fill(new QHBoxLayout, {{title_, 1}, add_, remove_});
-    auto* choices = fill(new QHBoxLayout, {model_label_, {model_, 1}});
-    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3, {head, sets_, listed_, logs_, choices, identify_});
+    fill(new QVBoxLayout(this), {6, 4, 6, 2}, 3,
+         {head, sets_, listed_, logs_, model_label_, model_, identify_});
 
     connectTree();
     connect(add_, &QToolButton::clicked, this, [this] { document_.sets().add(); });
@@ -166,6 +206,9 @@ SetPanel::SetPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingsChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::recordingChanged, this, &SetPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SetPanel::refresh);
+    // It gives its recording a colour.
+    connect(&document_, &Document::analysisAdded, this, &SetPanel::refresh);
+    whenChanged(*this, {QEvent::PaletteChange}, [this] { refresh(); });
     keepTranslated(*this, [this] { retranslate(); });
 }
 
@@ -326,16 +369,28 @@ void SetPanel::addMembers(QTreeWidgetItem* of, const RecordingSet* set) {
         }
         return;
     }
+    const auto isIn = [set](const RecordingEntry& entry) {
+        return set && std::ranges::count(set->recordings, entry.id) > 0;
+    };
+    std::vector<const RecordingEntry*> members;
+    QStringList files;
     for (const RecordingEntry& entry : document_.recordings()) {
-        const bool in = set && std::ranges::count(set->recordings, entry.id) > 0;
-        if (!in && set != document_.sets().current()) {
-            continue;
+        if (set == document_.sets().current() || isIn(entry)) {
+            members.push_back(&entry);
+            files << entry.name;
         }
+    }
+    const QStringList names = recordingNames(files);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const RecordingEntry& entry = *members[k];
         const auto row = set ? rowOf(*set, entry.id) : std::nullopt;
-        auto* item = add(entry.name, entry.path, row ? &set->listed->recordings[*row] : nullptr,
-                         SetTree::recording_item);
+        auto* item = add(names[static_cast<qsizetype>(k)], entry.path,
+                         row ? &set->listed->recordings[*row] : nullptr, SetTree::recording_item);
+        if (const auto style = styleOf(document_, entry.id)) {
+            item->setIcon(0, dotIcon(inkColor(Ink::style, *style, themeOf(palette()))));
+        }
         item->setData(0, Qt::UserRole, number(entry.id));
-        item->setCheckState(0, in ? Qt::Checked : Qt::Unchecked);
+        item->setCheckState(0, isIn(entry) ? Qt::Checked : Qt::Unchecked);
     }
 }
 
@@ -361,15 +416,14 @@ void SetPanel::retranslate() {
     setWords(*sets_, tr("Sets of recordings"),
              tr("Each with its recordings: those that are checked are of one resonator and are "
                 "identified together. A check mark behind their number: identified. F2 names a "
-                "set; Delete takes a recording or a set away"));
+                "set; Delete removes a recording or a set"));
     setWords(*add_, tr("New set"), tr("New set"));
     setWords(*remove_, tr("Remove the set"), tr("Remove the set; its recordings stay open"));
     logs_->setText(tr("Logs…"));
-    logs_->setToolTip(tr("Add logs to the set, take some out, or tell otherwise what they are"));
+    logs_->setToolTip(tr("Add logs to the set, remove some, or tell otherwise what they are"));
     model_label_->setText(tr("Model"));
     setWords(*model_, tr("Model of the resonator"), tr("What the fit assumes of the channels"));
-    const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),
-                             tr("Free: modes alone")};
+    const QString names[] = {tr("Automatic"), tr("Structured"), tr("Free")};
     const QString tips[] = {
         tr("Structured, unless the free model fits significantly better"),
         tr("The channels are the cosine and sine of the standing wave: split, axes, damping"),

@@ -81,7 +81,7 @@ private:
     QPushButton* identify_;
 };
 
-// Name of a set: the given one, that of its only recording, or "Set 2".
+// Name of a set: the given one, what the names of its recordings have in common, or "Set 2".
 QString setName(const Document& document, const RecordingSet& set);
 
 }  // namespace vybeg::ui

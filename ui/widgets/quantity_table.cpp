@@ -18,11 +18,13 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <QStyledItemDelegate>
+#include <QTextCursor>
 #include <QTextDocument>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace vybeg::ui {
@@ -32,20 +34,38 @@ namespace {
 constexpr int padding = 4;
 constexpr int header_margin = 16;
 
-// The text as it is drawn: no line breaks within a unit or before a deviation.
+// Of an item: the color of a dot before its text, and how far a number is moved to the right.
+constexpr int dot_role = Qt::UserRole;
+constexpr int indent_role = Qt::UserRole + 1;
+const QString dot = QStringLiteral("● ");
+
+// The text as it is drawn: no line breaks within a unit, in a number or before its deviation.
 QString unbroken(QString text) {
     // Nor does a symbol begin a line of its own after the name of its quantity.
     static const QRegularExpression symbol(QStringLiteral(" (\\S{1,4})(?=,|$)"));
+    static const QRegularExpression in_number(
+        QStringLiteral("(?<=[±=≠≤≥✓✗?●]) | (?=[±≤≥*])|(?<=\\(u) | (?=\\(u )"));
     return text.replace(symbol, QStringLiteral("\u00a0\\1"))
         .replace(QLatin1Char('/'), QStringLiteral("/\u2060"))
-        .replace(QStringLiteral("± "), QStringLiteral("±\u00a0"))
-        .replace(QStringLiteral("(u "), QStringLiteral("(u\u00a0"));
+        .replace(in_number, QStringLiteral("\u00a0"));
 }
 
 void prepare(QTextDocument& document, const QString& text, const QFont& font) {
     document.setDocumentMargin(0);
     document.setDefaultFont(font);
     document.setHtml(richText(unbroken(text)));
+}
+
+// Width up to the decimal sign of a number, also of none and of about zero; none of a sentence or a
+// verdict.
+std::optional<int> wholeWidth(const QString& text, const QFontMetrics& metrics) {
+    static const QRegularExpression letter(QStringLiteral("(?<!\\()\\p{L}"));  // but "(u 0.2)"
+    static const QRegularExpression whole(QStringLiteral("^(?:—?$|[(≈]?\\s?[−+]?\\d[\\d\u202f]*)"));
+    const QRegularExpressionMatch match = whole.match(text);
+    if (!match.hasMatch() || text.contains(letter)) {
+        return std::nullopt;
+    }
+    return metrics.horizontalAdvance(match.captured());
 }
 
 // Of a cell with a text, pixels: width on one line, height in a column of a given width.
@@ -77,7 +97,15 @@ public:
         style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
         QTextDocument document;
         prepare(document, text, item.font);
-        const QRect area = item.rect.adjusted(padding, 2, -padding, -2);
+        if (const auto color = index.data(dot_role).value<QColor>(); color.isValid()) {
+            QTextCursor first(&document);
+            first.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
+            QTextCharFormat format;
+            format.setForeground(color);
+            first.mergeCharFormat(format);
+        }
+        const int indent = index.data(indent_role).toInt();
+        const QRect area = item.rect.adjusted(padding + indent, 2, -padding, -2);
         document.setTextWidth(area.width());
         QAbstractTextDocumentLayout::PaintContext context;
         const bool selected = (item.state & QStyle::State_Selected) != 0;
@@ -115,6 +143,28 @@ void dropEmptyColumns(QStringList& headers, std::vector<QuantityRow>& rows) {
     }
 }
 
+QString tableText(const QStringList& headers, const std::vector<QuantityRow>& rows) {
+    QStringList lines;
+    QStringList head{QString()};
+    for (int column = 0; column < headers.size() && !rows.empty(); ++column) {
+        const QStringList all{headers[column], QuantityTable::tr("sd"), QuantityTable::tr("u")};
+        const auto& exact = rows.front().cells[static_cast<std::size_t>(column)].exact;
+        head << all.mid(0, exact.size());
+    }
+    if (headers.isEmpty()) {
+        head << QuantityTable::tr("value") << QuantityTable::tr("sd") << QuantityTable::tr("u");
+    }
+    lines << head.join(QLatin1Char('\t'));
+    for (const QuantityRow& row : rows) {
+        QStringList cells{row.name};
+        for (const QuantityCell& cell : row.cells) {
+            cells << cell.exact;
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
 QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
     setItemDelegate(new WrappingDelegate(this));
     verticalHeader()->hide();
@@ -135,7 +185,7 @@ QuantityTable::QuantityTable(QWidget* parent) : QTableWidget(parent) {
     copy->setShortcutContext(Qt::WidgetShortcut);
     addAction(copy);
     connect(copy, &QAction::triggered, this,
-            [this] { QGuiApplication::clipboard()->setText(tableText()); });
+            [this] { QGuiApplication::clipboard()->setText(tableText(headers_, rows_)); });
     keepTranslated(*this, [copy] { copy->setText(tr("Copy table")); });
 }
 
@@ -146,7 +196,6 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     rows_ = rows;
     concise_ = false;
     clear();
-    clearSpans();
     setRowCount(static_cast<int>(rows.size()));
     setAlternatingRowColors(rows.size() > 5);
     setColumnCount(1 + static_cast<int>(rows.empty() ? static_cast<std::size_t>(headers.size())
@@ -159,7 +208,8 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
     showHeaders(headers);
     for (int row = 0; row < rowCount(); ++row) {
         const QuantityRow& from = rows[static_cast<std::size_t>(row)];
-        auto* name = new QTableWidgetItem(from.name);
+        auto* name = new QTableWidgetItem(from.dot.isValid() ? dot + from.name : from.name);
+        name->setData(dot_role, from.dot);
         name->setToolTip(richTip(from.tip));
         setItem(row, 0, name);
         for (std::size_t k = 0; k < from.cells.size(); ++k) {
@@ -167,54 +217,58 @@ void QuantityTable::setContent(const QStringList& headers, const std::vector<Qua
             if (from.cells[k].color.isValid()) {
                 item->setForeground(from.cells[k].color);
             }
+            if (const QString& tip = from.cells[k].tip; !tip.isEmpty()) {
+                item->setToolTip(richTip(tip));
+                item->setData(Qt::AccessibleTextRole, tip);
+            }
             setItem(row, static_cast<int>(k) + 1, item);
-        }
-        for (std::size_t k = 0; k < from.cells.size(); ++k) {
-            std::size_t end = k + 1;
-            while (end < from.cells.size() && from.cells[end].text.isEmpty()) {
-                ++end;
-            }
-            const bool sentence = !from.cells[k].text.isEmpty() && from.cells[k].concise.isEmpty();
-            if (sentence && end > k + 1) {
-                setSpan(row, static_cast<int>(k) + 1, 1, static_cast<int>(end - k));
-            }
         }
     }
     layOut();
 }
 
-QString QuantityTable::tableText() const {
-    QStringList lines;
-    QStringList head{QString()};
-    for (int column = 0; column < headers_.size() && !rows_.empty(); ++column) {
-        const QStringList all{headers_[column], tr("sd"), tr("u")};
-        const auto& exact = rows_.front().cells[static_cast<std::size_t>(column)].exact;
-        head << all.mid(0, exact.size());
-    }
-    if (headers_.isEmpty()) {
-        head << tr("value") << tr("sd") << tr("u");
-    }
-    lines << head.join(QLatin1Char('\t'));
-    for (const QuantityRow& row : rows_) {
-        QStringList cells{row.name};
-        for (const QuantityCell& cell : row.cells) {
-            cells << cell.exact;
+void QuantityTable::setColumns(const std::vector<QuantityRow>& quantities,
+                               std::vector<QuantityRow> things) {
+    QStringList headers;
+    for (const QuantityRow& quantity : quantities) {
+        headers << indexPlain(quantity.name);
+        for (std::size_t k = 0; k < things.size(); ++k) {
+            things[k].cells.push_back(quantity.cells[k]);
         }
-        lines << cells.join(QLatin1Char('\t'));
     }
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    setContent(headers, things);
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+        horizontalHeaderItem(static_cast<int>(k) + 1)->setToolTip(richTip(quantities[k].tip));
+    }
 }
 
 void QuantityTable::showHeaders(const QStringList& headers) {
     shown_headers_ = headers;
     for (int column = 0; column < headers.size(); ++column) {
-        horizontalHeaderItem(column + 1)->setText(headers[column]);
+        shown_headers_[column].replace(QLatin1Char('/'), QStringLiteral("/\u2060"));
+        horizontalHeaderItem(column + 1)->setText(shown_headers_[column]);
     }
 }
 
-// Columns that a cell takes; an empty one beside a sentence has none of its own.
-int QuantityTable::spanOf(int row, int column) const {
-    return item(row, column)->text().isEmpty() ? 1 : columnSpan(row, column);
+// Width of a text in a cell, on one line.
+int QuantityTable::widthOf(int row, int column, const QString& text) const {
+    return widthFor(text, font()) + item(row, column)->data(indent_role).toInt();
+}
+
+// Decimal signs below each other, where a column has nothing but numbers.
+void QuantityTable::alignDecimals() {
+    for (int column = 1; column < columnCount(); ++column) {
+        std::vector<std::optional<int>> widths;
+        for (int row = 0; row < rowCount(); ++row) {
+            widths.push_back(wholeWidth(item(row, column)->text(), fontMetrics()));
+        }
+        const bool numbers = std::ranges::all_of(widths, &std::optional<int>::has_value);
+        const int most = numbers && !widths.empty() ? std::ranges::max(widths).value() : 0;
+        for (int row = 0; row < rowCount(); ++row) {
+            const int whole = widths[static_cast<std::size_t>(row)].value_or(0);
+            item(row, column)->setData(indent_role, numbers ? most - whole : 0);
+        }
+    }
 }
 
 // Width of a column in which no word breaks.
@@ -227,7 +281,7 @@ int QuantityTable::leastWidth(int column) const {
     }
     for (int row = 0; row < rowCount(); ++row) {
         for (const QString& word : unbroken(item(row, column)->text()).split(QLatin1Char(' '))) {
-            width = std::max(width, (widthFor(word, font()) + 2) / spanOf(row, column));
+            width = std::max(width, widthOf(row, column, word) + 2);
         }
     }
     return width;
@@ -251,11 +305,7 @@ int QuantityTable::headerHeight(const std::vector<int>& widths) const {
 void QuantityTable::narrow(std::vector<int>& widths, int excess, std::size_t first) {
     std::vector<int> slack(first);
     for (std::size_t k = first; k < widths.size(); ++k) {
-        int least = 0;
-        for (const QuantityTable* table : aligned()) {
-            least = std::max(least, table->leastWidth(static_cast<int>(k)));
-        }
-        slack.push_back(std::max(0, widths[k] - least));
+        slack.push_back(std::max(0, widths[k] - leastWidth(static_cast<int>(k))));
     }
     const int all = std::accumulate(slack.begin(), slack.end(), 0);
     for (std::size_t k = 0; k < widths.size() && all > 0; ++k) {
@@ -267,8 +317,7 @@ int QuantityTable::heightOf(int row, const std::vector<int>& widths) const {
     int height = 0;
     for (std::size_t k = 0; k < widths.size(); ++k) {
         const int column = static_cast<int>(k);
-        const auto from = widths.begin() + column;
-        const int width = std::accumulate(from, from + spanOf(row, column), 0);
+        const int width = widths[k] - item(row, column)->data(indent_role).toInt();
         height = std::max(height, heightFor(item(row, column)->text(), font(), width));
     }
     return height;
@@ -286,13 +335,7 @@ void QuantityTable::setConcise(bool concise) {
         }
     }
     concise_ = concise;
-}
-
-// Itself, and the one whose columns are aligned with its own.
-std::vector<QuantityTable*> QuantityTable::aligned() {
-    const bool both =
-        beside_ && !beside_->isHidden() && !isHidden() && beside_->columnCount() == columnCount();
-    return both ? std::vector<QuantityTable*>{this, beside_} : std::vector<QuantityTable*>{this};
+    alignDecimals();
 }
 
 // Widths of the columns with each text on one line, or with sentences in several.
@@ -306,7 +349,7 @@ std::vector<int> QuantityTable::wishes(bool wrapped) const {
         }
         for (int row = 0; row < rowCount(); ++row) {
             const QString text = item(row, column)->text();
-            const int wish = widthFor(text, font()) / spanOf(row, column);
+            const int wish = widthOf(row, column, text);
             const std::size_t k = static_cast<std::size_t>(column) - 1;
             const bool number =
                 column > 0 && !rows_[static_cast<std::size_t>(row)].cells[k].concise.isEmpty();
@@ -317,41 +360,28 @@ std::vector<int> QuantityTable::wishes(bool wrapped) const {
     return widths;
 }
 
-// Column widths: names as wide as needed, at most two fifths of the width, without breaking words;
-// the second of two columns takes the rest, several columns take their own width. Where the table
-// is wider than its room, headers are short; where that is not enough, sentences are wrapped, and
-// then numbers are concise.
+// Column widths: as wide as needed; the second of two columns takes the rest. Where the table is
+// wider than its room, names have two fifths of it, or what their words need, and headers are
+// short; where that is not enough, sentences are wrapped, and then numbers are concise.
 void QuantityTable::layOut() {
     const int characters = fontMetrics().averageCharWidth();
     const int room = viewport()->width();
-    const std::vector<QuantityTable*> tables = aligned();
     std::vector<int> widths;
     // Whether the table has room, its sentences on one line or in several.
     const auto fits = [&](bool wrapped) {
-        widths.assign(static_cast<std::size_t>(columnCount()), 0);
-        int least_name = 0;
-        for (const QuantityTable* table : tables) {
-            std::ranges::transform(widths, table->wishes(wrapped), widths.begin(),
-                                   [](int a, int b) { return std::max(a, b); });
-            least_name = std::max(least_name, table->leastWidth(0));
+        widths = wishes(wrapped);
+        const auto all = [&widths] { return std::accumulate(widths.begin(), widths.end(), 0); };
+        if (all() > room) {
+            widths[0] = std::min(widths[0], std::max(room * 2 / 5, leastWidth(0)));
         }
-        if (!widths.empty()) {
-            widths[0] = std::min(widths[0], std::max(room * 2 / 5, least_name));
-        }
-        return std::accumulate(widths.begin(), widths.end(), 0) <= room;
+        return all() <= room;
     };
-    const auto set = [&tables](bool brief, bool concise) {
-        for (QuantityTable* table : tables) {
-            const bool shorter = brief && !table->short_headers_.isEmpty();
-            table->showHeaders(shorter ? table->short_headers_ : table->headers_);
-            table->setConcise(concise);
-        }
-    };
-    set(false, false);
+    showHeaders(headers_);
+    setConcise(false);
     if (!fits(false)) {
-        set(true, false);
+        showHeaders(short_headers_.isEmpty() ? headers_ : short_headers_);
         if (!fits(false) && !fits(true)) {
-            set(true, true);
+            setConcise(true);
             fits(true);
         }
     }
@@ -360,13 +390,10 @@ void QuantityTable::layOut() {
     }
     if (const int excess = std::accumulate(widths.begin(), widths.end(), -room); excess > 0) {
         // Names that keep their width may spare more lines than the cells beside them then need.
-        const auto height = [&tables](const std::vector<int>& of) {
-            int sum = 0;
-            for (const QuantityTable* table : tables) {
-                sum += table->headerHeight(of);
-                for (int row = 0; row < table->rowCount(); ++row) {
-                    sum += table->heightOf(row, of);
-                }
+        const auto height = [this](const std::vector<int>& of) {
+            int sum = headerHeight(of);
+            for (int row = 0; row < rowCount(); ++row) {
+                sum += heightOf(row, of);
             }
             return sum;
         };
@@ -378,9 +405,7 @@ void QuantityTable::layOut() {
             widths = named;
         }
     }
-    for (QuantityTable* table : tables) {
-        table->place(widths, room);
-    }
+    place(widths, room);
 }
 
 void QuantityTable::place(const std::vector<int>& widths, int room) {
@@ -399,11 +424,6 @@ void QuantityTable::place(const std::vector<int>& widths, int room) {
         height += horizontalScrollBar()->sizeHint().height();
     }
     setFixedHeight(height + 2 * frameWidth());
-}
-
-void QuantityTable::alignWith(QuantityTable& other) {
-    beside_ = &other;
-    other.beside_ = this;
 }
 
 void QuantityTable::resizeEvent(QResizeEvent* event) {

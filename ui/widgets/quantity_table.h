@@ -17,6 +17,7 @@ struct QuantityCell {
     QStringList exact;
     QColor color;          // of the text; invalid: the usual one
     QString concise = {};  // a number where there is no room for the text: "5300.012(7)"
+    QString tip = {};      // the whole of what the text says in short, for a screen reader, too
 };
 
 // A number of a cell with twelve digits, in the decimal sign of the interface's language.
@@ -28,15 +29,20 @@ struct QuantityRow {
     QString name;  // with its unit; an underscore introduces an index
     QString tip;
     std::vector<QuantityCell> cells;
+    QColor dot = {};  // before the name
 };
 
 // Takes out the columns without a text in any row, and their headers.
 void dropEmptyColumns(QStringList& headers, std::vector<QuantityRow>& rows);
 
-// Quantities with their names and units, a row each. A sentence has the room of the empty cells
-// beside it. Where they have no room, numbers become
-// concise, with the whole of them as tooltips; sentences are wrapped. As high as its rows, for use
-// in a scroll area. Ctrl+C copies it as tab-separated text.
+// A line of headers, then the rows; tabs between all digits, in the decimal sign of the interface's
+// language.
+QString tableText(const QStringList& headers, const std::vector<QuantityRow>& rows);
+
+// Quantities with their names and units, a row each. Where they have no room, numbers become
+// concise, with the whole of them as tooltips; sentences are wrapped, numbers never. The decimal
+// signs of a column of numbers stand below each other. As high as its rows, for use in a scroll
+// area. Ctrl+C copies it as tab-separated text.
 class QuantityTable : public QTableWidget {
     Q_OBJECT
 
@@ -47,10 +53,8 @@ public:
     // the others have no room.
     void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows,
                     const QStringList& short_headers = {});
-    // From now on the columns of both are aligned, while both are shown with as many columns.
-    void alignWith(QuantityTable& other);
-    // A line of headers, then the rows; in the decimal sign of the interface's language.
-    QString tableText() const;
+    // A quantity is a column, its name the header; `things` are the rows, yet without cells.
+    void setColumns(const std::vector<QuantityRow>& quantities, std::vector<QuantityRow> things);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -58,11 +62,11 @@ protected:
 private:
     void layOut();
     void layOutAround();
-    std::vector<QuantityTable*> aligned();
     std::vector<int> wishes(bool wrapped) const;
+    void alignDecimals();
+    int widthOf(int row, int column, const QString& text) const;
     void place(const std::vector<int>& widths, int room);
     void showHeaders(const QStringList& headers);
-    int spanOf(int row, int column) const;
     int leastWidth(int column) const;
     int headerHeight(const std::vector<int>& widths) const;
     void narrow(std::vector<int>& widths, int excess, std::size_t first);
@@ -73,7 +77,6 @@ private:
     QStringList short_headers_;
     QStringList shown_headers_;
     std::vector<QuantityRow> rows_;
-    QuantityTable* beside_ = nullptr;
     bool concise_ = false;
 };
 

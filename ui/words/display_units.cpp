@@ -184,20 +184,40 @@ QString noiseText(double sd) {
     return textOf(quantity);
 }
 
+namespace {
+
+// A deviation in units of its last digit, in brackets; empty without one.
+QString inLastDigit(std::string sd, int zeros) {
+    std::erase(sd, '.');
+    sd.erase(0, std::min(sd.find_first_not_of('0'), sd.size()));
+    return sd.empty() ? QString()
+                      : QStringLiteral("(%1%2)").arg(QString::fromStdString(sd),
+                                                     QString(std::max(0, zeros), '0'));
+}
+
+}  // namespace
+
 QString conciseText(double value, double sd) {
     if (!std::isfinite(value)) {
         return QStringLiteral("—");
     }
     QuantityText quantity = quantity_text(value, sd);
-    std::string digits = std::exchange(quantity.sd, {});
-    std::erase(digits, '.');
-    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    const QString deviation = inLastDigit(std::exchange(quantity.sd, {}), 0);
     const int exponent = std::exchange(quantity.exponent, 0);
-    QString text = textOf(quantity);
-    if (!digits.empty()) {
-        text += QStringLiteral("(%1)").arg(QString::fromStdString(digits));
-    }
+    const QString text = textOf(quantity) + deviation;
     return exponent == 0 ? text : text + QStringLiteral("·") + powerOfTen(exponent);
+}
+
+QString conciseText(double value, double sd, int power) {
+    if (!std::isfinite(value)) {
+        return QStringLiteral("—");
+    }
+    const QuantityText quantity = quantity_text(value, sd);
+    const std::size_t point = std::min(quantity.value.find('.'), quantity.value.size() - 1);
+    const int shift = quantity.exponent - power;
+    const int decimals = static_cast<int>(quantity.value.size() - 1 - point) - shift;
+    const double rounded = parse_number(quantity.value).value_or(value) * std::pow(10., shift);
+    return numberLabel(rounded, std::max(0, decimals)) + inLastDigit(quantity.sd, -decimals);
 }
 
 QString valueText(double value, double sd, double u) {

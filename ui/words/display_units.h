@@ -96,6 +96,8 @@ QString valueText(double value, double sd, double u = std::numeric_limits<double
 QString uncertaintyLabel(double value, double sd, double u);
 // The same as valueText(), shorter: the deviation in units of the value's last digit, "0.9987(12)".
 QString conciseText(double value, double sd);
+// In a column whose head has the power of ten.
+QString conciseText(double value, double sd, int power);
 // With the interface's decimal sign and all digits, for a spreadsheet; empty for NaN.
 QString exactText(double value);
 

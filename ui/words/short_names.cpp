@@ -1,6 +1,8 @@
 #include "ui/words/short_names.h"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QSet>
 #include <QStyle>
 
 #include <algorithm>
@@ -22,7 +24,45 @@ bool insideWord(const QString& text, qsizetype place) {
     return 0 < place && place < text.size() && part(place - 1) && part(place);
 }
 
+// How many characters all names begin with, up to whole words and numbers; of each, one is left.
+qsizetype sharedBeginning(const QStringList& names) {
+    const qsizetype shortest = std::ranges::min(names, {}, &QString::size).size();
+    const auto all = [&names](const auto& has) { return std::ranges::all_of(names, has); };
+    qsizetype begin = 0;
+    while (begin < shortest - 1 &&
+           all([&](const QString& name) { return name[begin] == names.front()[begin]; })) {
+        ++begin;
+    }
+    while (begin > 0 && !all([&](const QString& name) { return !insideWord(name, begin); })) {
+        --begin;
+    }
+    return begin;
+}
+
+QStringList stems(const QStringList& files) {
+    QStringList names;
+    for (const QString& file : files) {
+        names << QFileInfo(file).completeBaseName();
+    }
+    return names;
+}
+
 }  // namespace
+
+QStringList recordingNames(const QStringList& files) {
+    const QStringList names = stems(files);
+    const bool apart = QSet<QString>(names.begin(), names.end()).size() == names.size();
+    return distinctNames(apart ? names : files);
+}
+
+QString commonName(const QStringList& files) {
+    const QStringList names = stems(files);
+    QString name = names.isEmpty() ? QString() : names.front().left(sharedBeginning(names));
+    while (!name.isEmpty() && !name.back().isLetterOrNumber()) {
+        name.chop(1);
+    }
+    return name.size() < worthwhile - 1 ? QString() : name;
+}
 
 QStringList distinctNames(const QStringList& names, bool beginning) {
     if (names.size() < 2) {
@@ -31,14 +71,7 @@ QStringList distinctNames(const QStringList& names, bool beginning) {
     const QString& first = names.front();
     const qsizetype shortest = std::ranges::min(names, {}, &QString::size).size();
     const auto all = [&names](const auto& has) { return std::ranges::all_of(names, has); };
-    qsizetype begin = 0;
-    while (begin < shortest - 1 &&
-           all([&](const QString& name) { return name[begin] == first[begin]; })) {
-        ++begin;
-    }
-    while (begin > 0 && !all([&](const QString& name) { return !insideWord(name, begin); })) {
-        --begin;
-    }
+    qsizetype begin = sharedBeginning(names);
     begin = begin < worthwhile || !beginning ? 0 : begin;
     qsizetype end = 0;
     while (end < shortest - begin - 1 &&

@@ -200,6 +200,11 @@ private:
     void add_envelopes() {
         double squares = 0;
         double count = 0;
+        double windows = 0;
+        for (const ScaledRun& run : problem_.runs) {
+            windows += static_cast<double>(run.size());
+        }
+        const double dof_of_window = degrees_of_freedom(problem_) / windows;
         for (std::size_t k = 0; k < problem_.runs.size(); ++k) {
             const ScaledRun& run = problem_.runs[k];
             const std::vector<Eigen::Vector2cd> expected =
@@ -208,6 +213,10 @@ private:
                 squares += (run.z[window] - expected[window]).squaredNorm();
                 count += 4;
             }
+            const Eigen::VectorXd& p = set_.fit.p;
+            fit_.runs[k].chi2_per_dof =
+                chi_square(run, p.head(shared_count), own_of(problem_.layout, p, k), run.size()) /
+                (dof_of_window * static_cast<double>(run.size()));
             const double f_hz = set_.runs[k].f_ref_hz + fit_.motion.runs[k].own[frequency_at];
             add_envelope(k, envelope_decay(run, expected), f_hz);
         }

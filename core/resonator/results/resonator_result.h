@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,6 +60,8 @@ struct RunEstimate {
     Estimate direction_tau_s;  // likewise: known for a still wave if f_mean and tau are not
     Estimate q_envelope;       // pi f tau, tau of the power |z|^2 alone
     Estimate drift_hz_per_s;
+    // Of this run's windows, which share the degrees of freedom; NaN where there is no fit.
+    double chi2_per_dof = std::numeric_limits<double>::quiet_NaN();
     // The decay over the amplitude where it is not constant; q_envelope then holds at one
     // amplitude.
     std::optional<DecayLaw> law;

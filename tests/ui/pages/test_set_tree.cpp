@@ -2,8 +2,11 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/charts/round_plot.h"
 #include "ui/panels/ledger.h"
+#include "ui/plots/plot_view.h"
 #include "ui/resonator/set_panel.h"
+#include "ui/window/file_commands.h"
 
 #include <QLineEdit>
 #include <QTest>
@@ -116,6 +119,78 @@ private slots:
         QCOMPARE(note(0), QStringLiteral("2 rec."));
         setStore().addToCurrent({ids()[3]});
         QCOMPARE(note(1), QStringLiteral("2 rec."));
+    }
+
+    // A set is called by what its recordings share, these by what differs, in the colour of their
+    // tracks; what is cut off stands in the tip.
+    void names_tell_what_differs_and_dots_whose_tracks_they_are() {
+        openRuns(files_);
+        setStore().add({ids()[0], ids()[1]});
+        auto& sets = the<SetTree>("sets");
+        QTRY_COMPARE(document().analyses().size(), std::size_t(4));
+        const QString common = sets.topLevelItem(0)->text(0);
+        QCOMPARE(common, setName(document(), *setStore().current()));
+        for (std::size_t k = 0; k < sets.members().size(); ++k) {
+            const QTreeWidgetItem& member = *sets.members()[k];
+            const QString file = QFileInfo(files_[static_cast<int>(k)]).fileName();
+            QVERIFY2(file.startsWith(common), qPrintable(common));
+            QVERIFY(member.toolTip(0).contains(file));
+            QVERIFY2(file.contains(QString(member.text(0)).remove(QChar(0x2026)) + ".wav"),
+                     qPrintable(member.text(0)));
+            QCOMPARE(member.icon(0).pixmap(8).toImage().pixelColor(4, 4).name(),
+                     readable(document().analyses()[k].shown.color, lightTheme()).name());
+        }
+        setStore().add({ids()[2], ids()[3]});
+        QCOMPARE(sets.topLevelItem(0)->text(0), common + " (1)");
+        QCOMPARE(sets.topLevelItem(1)->text(0), common + " (2)");
+    }
+
+    // In the figures, too, a recording has the colour of ledger and tracks.
+    void recordings_of_a_second_set_keep_their_colours() {
+        openRuns(files_);
+        setStore().add({ids()[2], ids()[3]});
+        setStore().identify();
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        const auto colorOf = [this](std::size_t analysis) {
+            return document().analyses()[analysis].shown.color;
+        };
+        QVERIFY(colorOf(2) != colorOf(0));
+        const auto& balance = the<XYPlotView>("balance").content().series;
+        const auto& rim = the<RoundView>("rim").content().series;
+        for (const std::size_t run : {0, 1}) {
+            QCOMPARE(curveStyle(balance.at(run).style).color, colorOf(2 + run));
+            QCOMPARE(rim.at(rim.size() - 2 + run).color, colorOf(2 + run));
+        }
+        for (const XYSeries& series : the<XYPlotView>("drift").content().series) {
+            const bool measured = series.points && series.name.startsWith("run");
+            QVERIFY(!measured || curveStyle(series.style).color != colorOf(0));
+        }
+        window_->files().savePassportTo(home_.path("two.json"));
+        QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("two.json")); }));
+        setStore().openPassport(home_.path("two.json"));
+        QVERIFY(QTest::qWaitFor([&] { return setStore().passport() != nullptr; }));
+        const auto& tracks = the<XYPlotView>("tracks").content().series;
+        QCOMPARE(tracks.size(), std::size_t(4));
+        for (const std::size_t k : {0, 1, 2, 3}) {
+            QCOMPARE(curveStyle(tracks.at(k).style).color, colorOf(2 + k % 2));
+        }
+    }
+
+    // Opened together they are a set: one key identifies. One opened by itself is one by itself.
+    void recordings_opened_together_are_identified_by_one_key() {
+        openRuns({files_[0], files_[1]});
+        QVERIFY(!setStore().current());
+        QTest::keyClick(window_.get(), Qt::Key_F7);
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy() && setStore().current(); }, 60000));
+        QVERIFY(setStore().outcome(*setStore().current()));
+        QCOMPARE(setStore().current()->recordings, ids());
+        document().open({files_[2]});
+        QVERIFY(QTest::qWaitFor([&] { return document().recordings().size() == 3 && allOpen(); }));
+        setStore().add();
+        document().setCurrentRecording(ids().back());
+        QVERIFY(setStore().canIdentify());
+        setStore().identify();
+        QCOMPARE(setStore().current()->recordings, std::vector<RecordingId>{ids().back()});
     }
 
     // Without a set the open recordings stand alone: the first that is checked makes one.

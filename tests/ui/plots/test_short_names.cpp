@@ -29,6 +29,21 @@ private slots:
         QCOMPARE(distinctNames({"spring", "sprung"}), (QStringList{"spring", "sprung"}));
     }
 
+    void recordings_have_no_endings_where_nothing_differs_with_them() {
+        QCOMPARE(recordingNames({"HRG-17_0.wav", "HRG-17_22.5.wav"}), (QStringList{"…0", "…22.5"}));
+        QCOMPARE(recordingNames({"one.wav"}), QStringList{"one"});
+        QCOMPARE(recordingNames({"a.wav", "a.csv"}), (QStringList{"a.wav", "a.csv"}));
+    }
+
+    void a_set_is_called_by_what_its_names_begin_with() {
+        QCOMPARE(commonName({"HRG-17_0.wav", "HRG-17_22.5.wav"}), QStringLiteral("HRG-17"));
+        QCOMPARE(commonName({"run-0.wav", "run-67.wav"}), QStringLiteral("run"));
+        for (const QStringList& names : {QStringList{"a1.wav", "a2.wav"}, QStringList{},
+                                         QStringList{"spring.wav", "sprung.wav"}}) {
+            QCOMPARE(commonName(names), QString());
+        }
+    }
+
     void names_that_share_little_stay() {
         for (const QStringList& names :
              {QStringList{"a.wav"}, QStringList{}, QStringList{"a1", "a2"},

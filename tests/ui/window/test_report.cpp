@@ -10,6 +10,7 @@
 #include "ui/report/report_document.h"
 #include "ui/report/report_parts.h"
 #include "ui/resonator/resonator_text.h"
+#include "ui/resonator/run_text.h"
 #include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
 #include "ui/words/language.h"
