@@ -136,10 +136,10 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n window(s), %1 flagged, in %2 ms</source>
+            <source>%n window(s), %1 flagged, in %2 s</source>
             <translation>
-                <numerusform>%n window, %1 flagged, in %2 ms</numerusform>
-                <numerusform>%n windows, %1 flagged, in %2 ms</numerusform>
+                <numerusform>%n window, %1 flagged, in %2 s</numerusform>
+                <numerusform>%n windows, %1 flagged, in %2 s</numerusform>
             </translation>
         </message>
         <message numerus="yes">

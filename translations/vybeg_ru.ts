@@ -1158,11 +1158,11 @@
         <translation>%1 из %2 окон</translation>
     </message>
     <message numerus="yes">
-        <source>%n window(s), %1 flagged, in %2 ms</source>
+        <source>%n window(s), %1 flagged, in %2 s</source>
         <translation>
-            <numerusform>%n окно, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окна, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окон, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окно, помечено %1, за %2 с</numerusform>
+            <numerusform>%n окна, помечено %1, за %2 с</numerusform>
+            <numerusform>%n окон, помечено %1, за %2 с</numerusform>
         </translation>
     </message>
     <message>

@@ -18,7 +18,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -243,8 +242,8 @@ void DriftPanel::refresh() {
     kappa_->setValue(settings.tolerance.kappa);
     skew_->setValue(settings.tolerance.skew_deg);
     const ChannelTolerance usual = usual_pick_offs();
-    kappa_->setPlaceholderText(QLocale().toString(usual.kappa));
-    skew_->setPlaceholderText(QLocale().toString(usual.skew_rad * 180 / std::numbers::pi));
+    kappa_->setPlaceholderText(shortNumberText(usual.kappa, 6));
+    skew_->setPlaceholderText(shortNumberText(usual.skew_rad * 180 / std::numbers::pi, 6));
 }
 
 void DriftPanel::retranslate() {

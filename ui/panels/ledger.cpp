@@ -9,7 +9,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHeaderView>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -203,17 +202,15 @@ void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
     if (row.analysis) {
         const TrackSummary& summary = row.analysis->summary;
         const Analysis& analysis = *row.analysis->shown.analysis;
-        const QLocale locale;
         item.setText(algorithm, algorithmText(analysis.settings.algorithm));
         item.setText(window, countLabel(analysis.plan.length));
         const QString mean = valueText(summary.mean_f_hz, summary.sd_mean_f_hz);
         item.setText(frequency, mean);
-        item.setToolTip(
-            frequency,
-            std::isfinite(summary.mean_at_s)
-                ? tr("%1 Hz at %2 s").arg(mean, locale.toString(summary.mean_at_s, 'g', 4))
-                : QString());
-        item.setText(noiseColumn(), noiseText(summary.noise));
+        item.setToolTip(frequency,
+                        std::isfinite(summary.mean_at_s)
+                            ? tr("%1 Hz at %2 s").arg(mean, shortNumberText(summary.mean_at_s, 4))
+                            : QString());
+        item.setText(noiseColumn(), threeDigits(summary.noise));
     }
     const QString notes = rowNotes(row);
     const QIcon mark = style()->standardIcon(QStyle::SP_MessageBoxWarning);

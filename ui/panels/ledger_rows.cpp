@@ -16,7 +16,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPainter>
 #include <QToolButton>
 
@@ -43,7 +42,7 @@ QString channelText(const Recording& recording, int number) {
 }
 
 QString rateText(const Recording& recording) {
-    const QString hertz = groupedDigits(QLocale().toString(recording.rate_hz, 'g', 10));
+    const QString hertz = shortNumberText(recording.rate_hz, 10);
     switch (recording.rate_from) {
         case RateOrigin::file: return RowWords::tr("%1 Hz, from the file").arg(hertz);
         case RateOrigin::time_column: return RowWords::tr("%1 Hz, from the time column").arg(hertz);
@@ -70,18 +69,16 @@ QVariant shortName(const LedgerRow& row) {
 }
 
 QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
-    const QLocale locale;
     const Analysis& analysis = *entry.shown.analysis;
     const std::size_t count = entry.summary.windows;
     QStringList facts{entry.shown.name, algorithmText(analysis.settings.algorithm)};
-    facts << (entry.partial()
-                  ? RowWords::tr("%1 of %2 windows")
-                        .arg(countLabel(static_cast<std::int64_t>(count)),
-                             countLabel(analysis.plan.count))
-                  : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
-                                 static_cast<int>(count))
-                        .arg(entry.summary.flagged)
-                        .arg(locale.toString(1e3 * analysis.timing.estimate_s, 'g', 3)));
+    facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
+                                    .arg(countLabel(static_cast<std::int64_t>(count)),
+                                         countLabel(analysis.plan.count))
+                              : RowWords::tr("%n window(s), %1 flagged, in %2 s", nullptr,
+                                             static_cast<int>(count))
+                                    .arg(entry.summary.flagged)
+                                    .arg(shortNumberText(analysis.timing.estimate_s, 3)));
     if (live) {
         facts << RowWords::tr(
             "Follows the settings while Live is on; Keep keeps an analysis as it is");
@@ -162,18 +159,16 @@ QString recordingFacts(const RecordingEntry& entry) {
     add(RowWords::tr("File"), QDir::toNativeSeparators(entry.path));
     if (entry.recording) {
         const Recording& recording = *entry.recording;
-        const QLocale locale;
         add(RowWords::tr("Format"), formatText(recording.format));
         add(RowWords::tr("Rate"), rateText(recording));
         add(RowWords::tr("Length"),
             RowWords::tr("%1 s, %n sample(s)", nullptr, static_cast<int>(recording.frames()))
-                .arg(locale.toString(recording.seconds(), 'g', 8)));
+                .arg(shortNumberText(recording.seconds(), 8)));
         add(QStringLiteral("C"), channelText(recording, recording.channel_c));
         add(QStringLiteral("D"), channelText(recording, recording.channel_d));
         add(RowWords::tr("Start"), QString::fromStdString(recording.start));
         if (entry.f0_hz) {
-            add(RowWords::tr("f₀"),
-                RowWords::tr("%1 Hz").arg(locale.toString(*entry.f0_hz, 'f', 4)));
+            add(RowWords::tr("f₀"), RowWords::tr("%1 Hz").arg(numberLabel(*entry.f0_hz, 4)));
         }
         add(QStringLiteral("SHA-256"), entry.sha256);
     }
@@ -236,7 +231,7 @@ QString rowNotes(const LedgerRow& row) {
         const TrackSummary& summary = row.analysis->summary;
         if (summary.leakage_limits()) {
             sentences << RowWords::tr("Leakage of the window limits the mean frequency, by %1 Hz.")
-                             .arg(QLocale().toString(summary.leakage_f_hz, 'g', 2));
+                             .arg(shortNumberText(summary.leakage_f_hz, 2));
         }
         if (summary.at_bound > 0) {
             sentences << RowWords::tr(
@@ -282,9 +277,10 @@ CellColumn variableColumn(const LedgerReader& reader, const std::vector<const An
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const double value = scale * readings[row].value;
         const double sd = scale * readings[row].sd;
-        column.cells << (!rows[row] ? QString()
-                         : concise  ? conciseText(value, sd)
-                                    : valueText(value, sd));
+        column.cells << (!rows[row]       ? QString()
+                         : std::isnan(sd) ? threeDigits(value)
+                         : concise        ? conciseText(value, sd)
+                                          : valueText(value, sd));
     }
     return column;
 }

@@ -8,8 +8,6 @@
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +23,7 @@ QStringList conditionsText(const RecordingRef& recording) {
         }
     };
     const auto number = [](const std::optional<double>& value, const QString& with_unit) {
-        return value ? with_unit.arg(QLocale().toString(*value, 'g', 6)) : QString();
+        return value ? with_unit.arg(shortNumberText(*value, 6)) : QString();
     };
     const Conditions& told = recording.conditions;
     add(ResonatorWords::tr("gyro"), QString::fromStdString(told.gyro));
@@ -131,7 +129,7 @@ QuantityCell limitCell(const ResonatorParameter& parameter, const Estimate& esti
     for (const auto& [sign, value] :
          {std::pair{" ≥ ", limit->lower}, std::pair{" ≤ ", limit->upper}}) {
         if (value) {
-            text += sign + groupedDigits(shortNumberText(factor * *value, limit_digits));
+            text += sign + shortNumberText(factor * *value, limit_digits);
         }
     }
     const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, *limit)));
@@ -359,8 +357,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
                     return sentenceCell({});
                 }
                 const QBand band = q_band(*run.law, run.q_envelope.value);
-                const QLocale locale;
-                const auto text = [&locale](double x) { return locale.toString(x, 'g', 3); };
+                const auto text = [](double x) { return shortNumberText(x, 3); };
                 return sentenceCell(ResonatorWords::tr("at %1; %2 at %3, %4 at %5")
                                         .arg(text(band.amplitude), text(band.q_at_largest),
                                              text(band.largest), text(band.q_at_smallest),
@@ -378,7 +375,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(ResonatorWords::tr("Noise σ"), amplitude,
         ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;
-            return QuantityCell{noiseText(sd), {exactText(sd), QString(), QString()}, {}};
+            return QuantityCell{threeDigits(sd), {exactText(sd), QString(), QString()}, {}};
         });
     add(ResonatorWords::tr("Windows used"), {},
         ResonatorWords::tr("Without gaps and faults, of all; samples in each"),

@@ -309,7 +309,7 @@ QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
     const double factor = sweepFactor(sweep, view, view.variable);
     const auto cell = [](double value) {
-        return QuantityCell{noiseText(value), {cellNumber(value)}, {}};
+        return QuantityCell{threeDigits(value), {cellNumber(value)}, {}};
     };
     const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;

@@ -13,7 +13,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -26,16 +25,20 @@ namespace vybeg::ui {
 
 namespace {
 
+// Of what is typed.
+constexpr int input_digits = 12;
+
 QString settingsText(const AnalysisEntry& entry) {
     const Analysis& analysis = *entry.shown.analysis;
     QString text = TracksPage::tr("%1: %2; window %3, step %4 samples; f0 = %5 Hz")
                        .arg(entry.shown.recording, algorithmText(analysis.settings.algorithm))
                        .arg(analysis.plan.length)
                        .arg(analysis.plan.hop)
-                       .arg(QLocale().toString(analysis.f0_hz(), 'f', 3));
+                       .arg(numberLabel(analysis.f0_hz(), 3));
     if (const auto& band = analysis.settings.filter) {
         text += TracksPage::tr("; filter %1 to %2 Hz")
-                    .arg(QLocale().toString(band->low_hz), QLocale().toString(band->high_hz));
+                    .arg(shortNumberText(band->low_hz, input_digits),
+                         shortNumberText(band->high_hz, input_digits));
     }
     return text;
 }
@@ -55,7 +58,7 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
     const QString unit = displayUnit(variable, units);
     return QStringLiteral("σ(%1) = %2%3")
         .arg(displaySymbol(variable, units),
-             QLocale().toString(displayScale(variable, units, 0).sd(0, *middle), 'g', 2),
+             shortNumberText(displayScale(variable, units, 0).sd(0, *middle), 2),
              unit == QStringLiteral("°") ? unit : ' ' + unit);
 }
 

@@ -4,6 +4,7 @@
 #include "core/output/quantity_text.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,25 @@ QString powerOfTen(int exponent) {
     return text;
 }
 
+QString numberText(const QString& of_core) {
+    static const QRegularExpression number(
+        QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
+    const QRegularExpressionMatch match = number.match(of_core);
+    if (!match.hasMatch()) {
+        return of_core;
+    }
+    const QString power = match.captured(3).isEmpty()
+                              ? QString()
+                              : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
+    return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
+           groupedDigits(match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint())) +
+           power;
+}
+
+QString shortNumberText(double value, int digits) {
+    return numberText(QString::fromStdString(short_text(value, digits)));
+}
+
 QString siPrefix(int exponent) {
     static constexpr std::array<const char*, 10> prefixes{
         QT_TRANSLATE_NOOP("SiPrefix", "f"), QT_TRANSLATE_NOOP("SiPrefix", "p"),
@@ -73,14 +93,9 @@ QString siPrefix(int exponent) {
 namespace {
 
 QString textOf(const QuantityText& quantity) {
-    const auto localised = [](const std::string& number) {
-        QString text = QString::fromStdString(number);
-        return groupedDigits(
-            text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint()));
-    };
-    QString text = localised(quantity.value);
+    QString text = numberText(QString::fromStdString(quantity.value));
     if (!quantity.sd.empty()) {
-        text += QStringLiteral(" ± ") + localised(quantity.sd);
+        text += QStringLiteral(" ± ") + numberText(QString::fromStdString(quantity.sd));
     }
     const auto power = [](int exponent) {
         return exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(exponent);
@@ -91,7 +106,8 @@ QString textOf(const QuantityText& quantity) {
     }
     return quantity.u.empty() ? text
                               : QStringLiteral("%1 (u %2)")
-                                    .arg(text, localised(quantity.u) + power(quantity.u_exponent));
+                                    .arg(text, numberText(QString::fromStdString(quantity.u)) +
+                                                   power(quantity.u_exponent));
 }
 
 struct Unit {
@@ -171,15 +187,15 @@ bool isWrapped(SlowVariable variable) {
     return variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
 }
 
-QString noiseText(double sd) {
+QString threeDigits(double value) {
     constexpr int digits = 3;
-    if (!std::isfinite(sd) || sd <= 0) {
-        return valueText(sd, 0);
+    if (!std::isfinite(value) || value == 0) {
+        return valueText(value, 0);
     }
-    const double rounded = *parse_number(short_text(sd, digits));
+    const double rounded = *parse_number(short_text(value, digits));
     // The deviation whose only digit stands in the place of the last one.
-    QuantityText quantity =
-        quantity_text(rounded, 3 * std::pow(10.0, std::floor(std::log10(rounded)) - (digits - 1)));
+    const double last = std::floor(std::log10(std::abs(rounded))) - (digits - 1);
+    QuantityText quantity = quantity_text(rounded, 3 * std::pow(10.0, last));
     quantity.sd.clear();
     return textOf(quantity);
 }

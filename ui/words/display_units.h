@@ -21,6 +21,12 @@ QString groupedDigits(const QString& number);
 QString numberLabel(double value, int decimals);
 // A number of things.
 QString countLabel(std::int64_t count);
+// A number as core/ writes it ("-2.03e+04", "12345.6"), so: "−2.03·10⁴", "12 345.6". Other texts as
+// they are.
+QString numberText(const QString& of_core);
+// With so many significant digits at most; numbers below a million have no power of ten for their
+// size.
+QString shortNumberText(double value, int digits);
 
 // "10⁻³".
 QString powerOfTen(int exponent);
@@ -84,14 +90,12 @@ QString displayMeaning(SlowVariable variable);
 // Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
 bool isWrapped(SlowVariable variable);
 
-// A standard deviation of noise, with the three digits that a recording's length gives it:
-// "0.000100".
-QString noiseText(double sd);
-
 // "0.9987 ± 0.0012": core/output/quantity_text.h with the default locale's decimal sign, a true
 // minus and digits in groups; "—" for NaN. With a combined uncertainty behind it where that
 // differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u = std::numeric_limits<double>::quiet_NaN());
+// A measured value without a deviation, with three digits: "0.000100".
+QString threeDigits(double value);
 // The combined uncertainty by itself, in the digits it has in valueText(): "0.0003".
 QString uncertaintyLabel(double value, double sd, double u);
 // The same as valueText(), shorter: the deviation in units of the value's last digit, "0.9987(12)".
