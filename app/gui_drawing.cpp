@@ -96,6 +96,7 @@ Result<Analysis> analyse_warned(const Recording& recording, const Settings& sett
 ui::ShownAnalysis shown_analysis(const Recording& recording, Analysis analysis, int index) {
     const ui::CurveStyle style = ui::curveStyle(index);
     ui::ShownAnalysis shown;
+    shown.unit = ui::fileUnit(recording);
     shown.id = static_cast<ui::AnalysisId>(index + 1);
     shown.name = QStringLiteral("n = %1").arg(analysis.plan.length);
     shown.recording = QString::fromStdString(recording.path.filename().string());

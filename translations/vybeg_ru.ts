@@ -571,6 +571,14 @@
         <source>s</source>
         <translation>с</translation>
     </message>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>mV</source>
+        <translation>мВ</translation>
+    </message>
 </context>
 <context>
     <name>Drift</name>

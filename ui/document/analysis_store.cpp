@@ -3,6 +3,7 @@
 #include "core/output/output_file.h"
 #include "core/output/track_file.h"
 #include "core/recording/samples/recording.h"
+#include "ui/words/display_units.h"
 #include "ui/words/program_name.h"
 
 #include <QFileInfo>
@@ -198,10 +199,7 @@ AnalysisEntry AnalysisStore::newAnalysis(const RecordingEntry& recording, const 
     entry.shown.recording = recording.name;
     entry.shown.color = style.color;
     entry.shown.shade = style.shade;
-    entry.shown.unit =
-        QString::fromStdString(recording.recording->channels
-                                   .at(static_cast<std::size_t>(recording.recording->channel_c - 1))
-                                   .unit);
+    entry.shown.unit = fileUnit(*recording.recording);
     entry.shown.rate_hz = recording.recording->rate_hz;
     entry.shown.recorded_s = recording.recording->seconds();
     return entry;

@@ -135,15 +135,17 @@ Reading read(const LedgerReader& reader, const AnalysisEntry* entry, SlowVariabl
 }
 
 // Symbol and unit, with the prefix or power of ten of the column.
-QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) {
+QString headOf(const LedgerReader& reader, SlowVariable variable, const QString& of_file,
+               int exponent) {
     const bool beat = reader.at == ReadAt::rate && reader.measuring.kind == TrendKind::beat;
-    QString unit = displayUnit(variable, reader.units);
+    QString unit = displayUnit(variable, reader.units, of_file);
     if (beat) {
         unit = RowWords::tr("Hz");
     } else if (reader.at == ReadAt::rate) {
         unit = unit.isEmpty() ? RowWords::tr("1/s") : RowWords::tr("%1/s").arg(unit);
     }
-    const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
+    const QString scaled =
+        scaledUnit(unit, beat || takesPrefix(variable, reader.units, of_file), exponent);
     return withUnit(displaySymbol(variable, reader.units), scaled);
 }
 
@@ -268,12 +270,16 @@ CellColumn variableColumn(const LedgerReader& reader, const std::vector<const An
                           SlowVariable variable, bool concise) {
     std::vector<Reading> readings;
     readings.reserve(rows.size());
+    QStringList file_units;
     for (const AnalysisEntry* entry : rows) {
         readings.push_back(read(reader, entry, variable));
+        if (entry && entry->shown.visible) {
+            file_units << entry->shown.unit;
+        }
     }
     const int exponent = exponentOf(readings);
     const double scale = std::pow(10., -exponent);
-    CellColumn column{headOf(reader, variable, exponent), {}};
+    CellColumn column{headOf(reader, variable, commonUnit(file_units), exponent), {}};
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const double value = scale * readings[row].value;
         const double sd = scale * readings[row].sd;

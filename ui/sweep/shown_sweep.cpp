@@ -27,9 +27,7 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
     if (units.amplitude == AmplitudeUnit::decibels) {
         units.amplitude = AmplitudeUnit::recording;
     }
-    const QString unit = displayUnit(main_slow_variables[variable], units);
-    const bool amplitude = info(main_slow_variables[variable]).quantity == Quantity::amplitude;
-    return amplitude && unit.isEmpty() ? view.channel_unit : unit;
+    return displayUnit(main_slow_variables[variable], units, view.channel_unit);
 }
 
 using ValueOf = std::function<double(const SweepLength&)>;

@@ -55,7 +55,7 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
     }
     const auto middle = sds.begin() + static_cast<std::ptrdiff_t>(sds.size() / 2);
     std::ranges::nth_element(sds, middle);
-    const QString unit = displayUnit(variable, units);
+    const QString unit = displayUnit(variable, units, {});
     return QStringLiteral("σ(%1) = %2%3")
         .arg(displaySymbol(variable, units),
              shortNumberText(displayScale(variable, units, 0).sd(0, *middle), 2),
@@ -218,13 +218,19 @@ AxisLimitsDialog::AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWi
     const auto& fixed = tracks.zoom().current().fixed;
     const auto typed = fixed.find(variable);
     const AxisRange shown = tracks.valueRange(variable);
+    QStringList file_units;
+    for (const ShownAnalysis& each : tracks.analyses()) {
+        if (each.visible) {
+            file_units << each.unit;
+        }
+    }
     auto* form = new QFormLayout;
     const auto add = [&](NumberField* field, const QString& label, double end) {
         constexpr int digits = 8;
         constexpr int shown_digits = 6;
         field->setOptional(true);
         field->setDigits(digits);
-        field->setUnit(displayUnit(variable, tracks.units()));
+        field->setUnit(displayUnit(variable, tracks.units(), commonUnit(file_units)));
         field->setMinimumWidth(200);
         field->setPlaceholderText(shortNumberText(end, shown_digits));
         addRow(*form, label, field, tr("Empty: as the data are"));
@@ -237,7 +243,7 @@ AxisLimitsDialog::AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWi
     add(lower_, tr("From"), shown.lower);
     add(upper_, tr("To"), shown.upper);
     auto* meaning = sentence(this, "axisMeaning", QMargins());
-    meaning->setText(tr("Empty: as the data are. Fit and Zoom back take the limits away."));
+    meaning->setText(tr("Empty: as the data are. Fit and Zoom back remove the limits."));
     fault_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     ok_ = buttons->button(QDialogButtonBox::Ok);

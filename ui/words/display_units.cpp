@@ -139,6 +139,16 @@ Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
     return {};
 }
 
+// For lupdate: those that files name most.
+[[maybe_unused]] constexpr const char* units_of_files[] = {QT_TRANSLATE_NOOP("DisplayUnits", "V"),
+                                                           QT_TRANSLATE_NOOP("DisplayUnits", "mV")};
+
+// One that a file names, too: others than these are as they are.
+QString translatedUnit(const QString& unit) {
+    return unit.isEmpty() ? unit
+                          : QCoreApplication::translate("DisplayUnits", unit.toUtf8().constData());
+}
+
 }  // namespace
 
 double DisplayScale::value(double stored) const {
@@ -170,13 +180,19 @@ QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
            QString::fromUtf8(unit.behind);
 }
 
-QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
+QString displayUnit(SlowVariable variable, const DisplayUnits& units, const QString& of_file) {
     const char* name = unitOf(variable, units).name;
-    return *name ? QCoreApplication::translate("DisplayUnits", name) : QString();
+    const bool amplitude = info(variable).quantity == Quantity::amplitude;
+    return translatedUnit(*name ? QString::fromUtf8(name) : amplitude ? of_file : QString());
 }
 
-bool takesPrefix(SlowVariable variable, const DisplayUnits& units) {
-    return unitOf(variable, units).takes_prefix;
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units, const QString& of_file) {
+    const Unit unit = unitOf(variable, units);
+    return *unit.name ? unit.takes_prefix : takesPrefix(displayUnit(variable, units, of_file));
+}
+
+bool takesPrefix(const QString& of_file) {
+    return of_file.size() == 1;
 }
 
 QString displayMeaning(SlowVariable variable) {
@@ -259,12 +275,21 @@ QString withUnit(const QString& name, const QString& unit) {
     return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
 }
 
-QString channelUnit(const Recording& recording) {
+QString commonUnit(const QStringList& units) {
+    return !units.isEmpty() && units.count(units.first()) == units.size() ? units.first()
+                                                                          : QString();
+}
+
+QString fileUnit(const Recording& recording) {
     const auto unit = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].unit;
+        return QString::fromStdString(
+            recording.channels[static_cast<std::size_t>(channel - 1)].unit);
     };
-    const std::string of_c = unit(recording.channel_c);
-    return of_c == unit(recording.channel_d) ? QString::fromStdString(of_c) : QString();
+    return commonUnit({unit(recording.channel_c), unit(recording.channel_d)});
+}
+
+QString channelUnit(const Recording& recording) {
+    return translatedUnit(fileUnit(recording));
 }
 
 }  // namespace vybeg::ui

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <limits>
@@ -76,13 +77,15 @@ struct DisplayScale {
 // f0_hz is what the frequency's deviation is counted from.
 DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz);
 
-// What stands above a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and the
-// unit, e.g. "Hz"; empty where there is none.
+// What stands beside a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and
+// the unit, e.g. "Hz", of amplitudes `of_file`, as their file names it; empty where there is none.
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units);
-QString displayUnit(SlowVariable variable, const DisplayUnits& units);
+QString displayUnit(SlowVariable variable, const DisplayUnits& units, const QString& of_file);
 
-// True where the unit takes SI prefixes (Hz, rad, V).
-bool takesPrefix(SlowVariable variable, const DisplayUnits& units);
+// True where the unit takes SI prefixes (Hz, rad, V); of a file, where it has one letter: a longer
+// name may have a prefix ("mV").
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units, const QString& of_file);
+bool takesPrefix(const QString& of_file);
 
 // The variable's meaning in the interface's language.
 QString displayMeaning(SlowVariable variable);
@@ -110,7 +113,11 @@ struct ResonatorWords {
 QString unitText(const char* unit);
 QString withUnit(const QString& name, const QString& unit);
 
-// The unit of both channels; empty where they have none, or two.
+// That of all of them; empty where they differ.
+QString commonUnit(const QStringList& units);
+// The unit of both channels as the file names it; empty where they have none, or two.
+QString fileUnit(const Recording& recording);
+// The same in the interface's language.
 QString channelUnit(const Recording& recording);
 
 }  // namespace vybeg::ui

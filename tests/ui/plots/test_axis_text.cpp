@@ -249,7 +249,19 @@ private slots:
         // Against the difference quotient.
         const double slope = (scale.value(0.5 + 1e-6) - scale.value(0.5 - 1e-6)) / 2e-6;
         VYBEG_CLOSE(scale.sd(0.5, 0.01), 0.01 * slope, 1e-8);
-        QCOMPARE(displayUnit(SlowVariable::a_A, units), QStringLiteral("dB"));
+        QCOMPARE(displayUnit(SlowVariable::a_A, units, "V"), QStringLiteral("dB"));
+        QVERIFY(!takesPrefix(SlowVariable::a_A, units, "V"));
+    }
+
+    void an_amplitude_has_the_unit_of_its_file() {
+        const DisplayUnits units;
+        QCOMPARE(displayUnit(SlowVariable::a_B, units, "V"), QStringLiteral("V"));
+        QVERIFY(takesPrefix(SlowVariable::a_B, units, "V"));
+        QVERIFY(!takesPrefix(SlowVariable::a_B, units, "mV"));
+        QCOMPARE(displayUnit(SlowVariable::f, units, "V"), QStringLiteral("Hz"));
+        QVERIFY(takesPrefix(SlowVariable::f, units, "mV"));
+        QCOMPARE(commonUnit({"V", "V"}), QStringLiteral("V"));
+        QCOMPARE(commonUnit({"V", "mV"}), QString());
     }
 };
 
