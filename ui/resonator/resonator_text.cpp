@@ -511,7 +511,7 @@ QString calibrationOffers(const FoundCalibration& found) {
                          .arg(shortNumberText(*found.delay_d_s * 1e6, 4)));
     }
     if (found.offsets) {
-        add("offset", ResonatorWords::tr("Take the offsets of the channels out"));
+        add("offset", ResonatorWords::tr("Remove the offsets of the channels"));
     }
     return links.join(QStringLiteral("<br>"));
 }

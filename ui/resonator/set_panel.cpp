@@ -361,11 +361,11 @@ void SetPanel::retranslate() {
     setWords(*sets_, tr("Sets of recordings"),
              tr("Each with its recordings: those that are checked are of one resonator and are "
                 "identified together. A check mark behind their number: identified. F2 names a "
-                "set; Delete takes a recording or a set away"));
+                "set; Delete removes a recording or a set"));
     setWords(*add_, tr("New set"), tr("New set"));
     setWords(*remove_, tr("Remove the set"), tr("Remove the set; its recordings stay open"));
     logs_->setText(tr("Logs…"));
-    logs_->setToolTip(tr("Add logs to the set, take some out, or tell otherwise what they are"));
+    logs_->setToolTip(tr("Add logs to the set, remove some, or tell otherwise what they are"));
     model_label_->setText(tr("Model"));
     setWords(*model_, tr("Model of the resonator"), tr("What the fit assumes of the channels"));
     const QString names[] = {tr("Automatic"), tr("Structured: calibrated pick-offs"),
