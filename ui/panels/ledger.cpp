@@ -81,7 +81,7 @@ Ledger::Ledger(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::analysesChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::liveChanged, this, &Ledger::rebuild);
-    connect(&document_.sets(), &SetStore::changed, this, &Ledger::fillCells);
+    connect(&document_.sets(), &SetStore::changed, this, &Ledger::rebuild);
     connect(&document_, &Document::currentRecordingChanged, this, &Ledger::chooseRow);
     connect(&document_, &Document::analysisAdded, this, [this](AnalysisId id) {
         // Of another recording than the current one it stands in its row, and waits.
@@ -191,8 +191,21 @@ void Ledger::chooseRow() {
     }
 }
 
+// Empty where one set alone has recordings, and nothing is to tell apart.
+QString Ledger::setsOf(RecordingId id) const {
+    int sets = 0;
+    QStringList names;
+    for (const RecordingSet& set : document_.sets().all()) {
+        sets += set.recordings.empty() ? 0 : 1;
+        if (name_of_set_ && std::ranges::count(set.recordings, id) > 0) {
+            names << name_of_set_(set);
+        }
+    }
+    return sets > 1 ? names.join(QStringLiteral(", ")) : QString();
+}
+
 void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
-    nameRow(row, document_.live(), item);
+    nameRow(row, setsOf(row.recording->id), document_.live(), item);
     item.setText(algorithm, {});
     for (const int column :
          {static_cast<int>(window), static_cast<int>(frequency), noiseColumn()}) {

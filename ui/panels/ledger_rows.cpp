@@ -54,6 +54,7 @@ QString rateText(const Recording& recording) {
 constexpr int analysis_role = Qt::UserRole;
 constexpr int recording_role = Qt::UserRole + 1;
 constexpr int short_name_role = Qt::UserRole + 2;
+constexpr int sets_role = Qt::UserRole + 3;
 
 // The name of an analysis as its row shows it: without the ending that other columns tell, where it
 // is alone, and only by its ending below its recording. Null: as it is.
@@ -197,13 +198,14 @@ std::vector<LedgerRow> ledgerRows(const Document& document) {
     return rows;
 }
 
-void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item) {
+void nameRow(const LedgerRow& row, const QString& sets, bool live, QTreeWidgetItem& item) {
     constexpr int name = name_column;
     const RecordingEntry& recording = *row.recording;
     const AnalysisEntry* entry = row.analysis;
     item.setData(name, recording_role, number(recording.id));
     item.setData(name, analysis_role, number(entry ? entry->shown.id : AnalysisId::none));
     item.setData(name, short_name_role, entry ? shortName(row) : QVariant());
+    item.setData(name, sets_role, row.first ? sets : QString());
     QFont font = item.treeWidget()->font();
     font.setBold(row.first);
     font.setItalic(entry && entry->live && live);
@@ -222,6 +224,9 @@ void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item) {
         item.setIcon(name, {});
         item.setText(name, recording.recording ? recording.name
                                                : RowWords::tr("%1 (opening)").arg(recording.name));
+    }
+    if (!sets.isEmpty()) {
+        tip << RowWords::tr("Set: %1").arg(sets);
     }
     tip << recordingFacts(recording);
     item.setToolTip(name, plainTip(tip.join(QLatin1Char('\n'))));
@@ -263,6 +268,9 @@ void LedgerNames::initStyleOption(QStyleOptionViewItem* option, const QModelInde
     NameDelegate::initStyleOption(option, index);
     if (const QString text = index.data(short_name_role).toString(); !text.isEmpty()) {
         option->text = text;
+    }
+    if (const QString sets = index.data(sets_role).toString(); !sets.isEmpty()) {
+        option->text += QStringLiteral(" · ") + sets;
     }
 }
 
@@ -351,15 +359,25 @@ void LedgerHead::show(ReadAt at, const Measuring& measuring) {
         buttons_[k]->setEnabled(usable[k]);
     }
     buttons_[static_cast<std::size_t>(at)]->setChecked(true);
+    mouse_ = measuring.mouse_s.has_value();
+    showFirst();
     kind_->setCurrentIndex(static_cast<int>(measuring.kind));
     kind_->setVisible(measuring.both());
+}
+
+// Without a mouse over the plots the first windows are read. The button has room for both words.
+void LedgerHead::showFirst() {
+    QToolButton& first = *buttons_.front();
+    first.setText(mouse_ ? tr("mouse") : tr("start"));
+    first.setToolTip(
+        tr("Values of the windows at the mouse in the plots, with standard "
+           "deviations; of the first ones while it is elsewhere"));
 }
 
 void LedgerHead::retranslate() {
     const std::array texts{tr("mouse"), tr("A"), tr("B"), tr("B − A"), tr("trend")};
     const std::array tips{
-        tr("Values of the windows at the mouse in the plots, with standard deviations"),
-        tr("Values of the windows at cursor A"), tr("Values of the windows at cursor B"),
+        QString(), tr("Values of the windows at cursor A"), tr("Values of the windows at cursor B"),
         tr("Differences of the windows at the cursors; without standard deviation where they "
            "share samples"),
         tr("Rates of the trends between the cursors, or frequencies of the beats")};
@@ -367,6 +385,12 @@ void LedgerHead::retranslate() {
         buttons_[k]->setText(texts[k]);
         buttons_[k]->setToolTip(tips[k]);
     }
+    QToolButton& first = *buttons_.front();
+    first.setMinimumWidth(0);
+    int room = first.sizeHint().width();
+    first.setText(tr("start"));
+    first.setMinimumWidth(std::max(room, first.sizeHint().width()));
+    showFirst();
     setTexts(*kind_, {tr("line"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
