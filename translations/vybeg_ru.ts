@@ -1166,11 +1166,11 @@
         <translation>%1 из %2 окон</translation>
     </message>
     <message numerus="yes">
-        <source>%n window(s), %1 flagged, in %2 s</source>
+        <source>%n window(s), %1 flagged, in %2</source>
         <translation>
-            <numerusform>%n окно, помечено %1, за %2 с</numerusform>
-            <numerusform>%n окна, помечено %1, за %2 с</numerusform>
-            <numerusform>%n окон, помечено %1, за %2 с</numerusform>
+            <numerusform>%n окно, помечено %1, за %2</numerusform>
+            <numerusform>%n окна, помечено %1, за %2</numerusform>
+            <numerusform>%n окон, помечено %1, за %2</numerusform>
         </translation>
     </message>
     <message>
@@ -8025,19 +8025,19 @@
 <context>
     <name>vybeg::ui::StatusLine</name>
     <message numerus="yes">
-        <source>%n window(s) in %1 s</source>
+        <source>%n window(s) in %1</source>
         <translation>
-            <numerusform>%n окно за %1 с</numerusform>
-            <numerusform>%n окна за %1 с</numerusform>
-            <numerusform>%n окон за %1 с</numerusform>
+            <numerusform>%n окно за %1</numerusform>
+            <numerusform>%n окна за %1</numerusform>
+            <numerusform>%n окон за %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Resonator of %n recording(s) in %1 s</source>
+        <source>Resonator of %n recording(s) in %1</source>
         <translation>
-            <numerusform>Резонатор по %n записи за %1 с</numerusform>
-            <numerusform>Резонатор по %n записям за %1 с</numerusform>
-            <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            <numerusform>Резонатор по %n записи за %1</numerusform>
+            <numerusform>Резонатор по %n записям за %1</numerusform>
+            <numerusform>Резонатор по %n записям за %1</numerusform>
         </translation>
     </message>
     <message>

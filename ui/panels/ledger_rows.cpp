@@ -76,10 +76,10 @@ QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
     facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
                                     .arg(countLabel(static_cast<std::int64_t>(count)),
                                          countLabel(analysis.plan.count))
-                              : RowWords::tr("%n window(s), %1 flagged, in %2 s", nullptr,
+                              : RowWords::tr("%n window(s), %1 flagged, in %2", nullptr,
                                              static_cast<int>(count))
                                     .arg(entry.summary.flagged)
-                                    .arg(shortNumberText(analysis.timing.estimate_s, 3)));
+                                    .arg(secondsText(analysis.timing.estimate_s)));
     if (live) {
         facts << RowWords::tr(
             "Follows the settings while Live is on; Keep keeps an analysis as it is");

@@ -90,6 +90,13 @@ QString siPrefix(int exponent) {
     return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
 }
 
+QString secondsText(double seconds) {
+    const int place = seconds > 0 ? static_cast<int>(std::floor(std::log10(seconds))) : 0;
+    const int exponent = std::clamp(3 * static_cast<int>(std::floor(place / 3.)), -9, 0);
+    return numberLabel(seconds * std::pow(10., -exponent), std::max(0, 2 + exponent - place)) +
+           QLatin1Char(' ') + siPrefix(exponent) + unitText("s");
+}
+
 namespace {
 
 QString textOf(const QuantityText& quantity) {

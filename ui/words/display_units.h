@@ -32,6 +32,9 @@ QString shortNumberText(double value, int digits);
 // "10⁻³".
 QString powerOfTen(int exponent);
 
+// A time with three digits: "2.72 ms".
+QString secondsText(double seconds);
+
 // The SI prefix of an exponent that is a multiple of 3 in [-15, 12], translated: "m" for -3.
 QString siPrefix(int exponent);
 

@@ -142,19 +142,6 @@ QString flagsText(Flags flags) {
     return reasons.join(QStringLiteral("; "));
 }
 
-namespace {
-
-// Three digits: "2.72 ms".
-QString secondsText(double seconds) {
-    const bool short_time = seconds < 1;
-    const double shown = short_time ? 1e3 * seconds : seconds;
-    const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(shown))));
-    return numberLabel(shown, decimals) + QLatin1Char(' ') +
-           (short_time ? siPrefix(-3) : QString()) + unitText("s");
-}
-
-}  // namespace
-
 QString eventText(const Event& event) {
     const auto lasting = [&event](const QString& what) {
         return event.seconds > 0 ? what + QStringLiteral(", ") + secondsText(event.seconds) : what;

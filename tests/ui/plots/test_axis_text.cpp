@@ -198,6 +198,10 @@ private slots:
         QCOMPARE(gap(0.0027213), QStringLiteral("Samples are missing, 2.72 ms"));
         QCOMPARE(gap(1.8), QStringLiteral("Samples are missing, 1.80 s"));
         QCOMPARE(gap(1234.5), QStringLiteral("Samples are missing, 1235 s"));
+        QCOMPARE(secondsText(2.7e-5), QStringLiteral("27.0 µs"));
+        QCOMPARE(secondsText(0.999), QStringLiteral("999 ms"));
+        QCOMPARE(secondsText(18000), QStringLiteral("18\u202f000 s"));
+        QCOMPARE(secondsText(0), QStringLiteral("0.00 s"));
         QCOMPARE(gap(0), QStringLiteral("Samples are missing"));  // of one window
         QCOMPARE(eventText({std::nullopt, 1, 0, -1, 1}),
                  QStringLiteral("2θ_A passes −90°, rising"));
