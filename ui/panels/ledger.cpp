@@ -7,6 +7,7 @@
 
 #include <QAction>
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QPushButton>
@@ -191,7 +192,8 @@ void Ledger::chooseRow() {
     }
 }
 
-// Empty where one set alone has recordings, and nothing is to tell apart.
+// Empty where one set alone has recordings, and nothing is to tell apart. A set that is called as
+// the recording says nothing.
 QString Ledger::setsOf(RecordingId id) const {
     int sets = 0;
     QStringList names;
@@ -201,6 +203,7 @@ QString Ledger::setsOf(RecordingId id) const {
             names << name_of_set_(set);
         }
     }
+    names.removeAll(QFileInfo(document_.recording(id)->path).completeBaseName());
     return sets > 1 ? names.join(QStringLiteral(", ")) : QString();
 }
 
