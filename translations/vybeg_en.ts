@@ -136,10 +136,10 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n window(s), %1 flagged, in %2 ms</source>
+            <source>%n window(s), %1 flagged, in %2</source>
             <translation>
-                <numerusform>%n window, %1 flagged, in %2 ms</numerusform>
-                <numerusform>%n windows, %1 flagged, in %2 ms</numerusform>
+                <numerusform>%n window, %1 flagged, in %2</numerusform>
+                <numerusform>%n windows, %1 flagged, in %2</numerusform>
             </translation>
         </message>
         <message numerus="yes">
@@ -153,17 +153,17 @@
     <context>
         <name>vybeg::ui::StatusLine</name>
         <message numerus="yes">
-            <source>%n window(s) in %1 s</source>
+            <source>%n window(s) in %1</source>
             <translation>
-                <numerusform>%n window in %1 s</numerusform>
-                <numerusform>%n windows in %1 s</numerusform>
+                <numerusform>%n window in %1</numerusform>
+                <numerusform>%n windows in %1</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>Resonator of %n recording(s) in %1 s</source>
+            <source>Resonator of %n recording(s) in %1</source>
             <translation>
-                <numerusform>Resonator of %n recording in %1 s</numerusform>
-                <numerusform>Resonator of %n recordings in %1 s</numerusform>
+                <numerusform>Resonator of %n recording in %1</numerusform>
+                <numerusform>Resonator of %n recordings in %1</numerusform>
             </translation>
         </message>
     </context>

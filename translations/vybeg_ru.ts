@@ -32,7 +32,7 @@
     </message>
     <message>
         <source>(19)-(24): phase difference of the pick-off signals, by a delay of a quarter of a period.</source>
-        <translation>(19)–(24): фазовый сдвиг измерительных сигналов, через задержку на четверть периода.</translation>
+        <translation>(19)–(24): разность фаз измерительных сигналов, через задержку на четверть периода.</translation>
     </message>
     <message>
         <source>3 Moving axes</source>
@@ -167,7 +167,7 @@
     </message>
     <message>
         <source>What the model leaves, in units of the noise: 1 is all noise</source>
-        <translation>Остаток модели в единицах шума: 1 — только шум</translation>
+        <translation>То, что оставляет модель, в единицах шума: 1 — только шум</translation>
     </message>
     <message>
         <source>Recordings</source>
@@ -293,8 +293,8 @@
         <translation>&amp;Логарифмическая шкала a_A</translation>
     </message>
     <message>
-        <source>&amp;Analyse</source>
-        <translation>&amp;Рассчитать</translation>
+        <source>&amp;Keep</source>
+        <translation>&amp;Закрепить</translation>
     </message>
     <message>
         <source>Analyse the current recording with the settings of the panel and keep the analysis</source>
@@ -570,6 +570,14 @@
     <message>
         <source>s</source>
         <translation>с</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>В</translation>
+    </message>
+    <message>
+        <source>mV</source>
+        <translation>мВ</translation>
     </message>
 </context>
 <context>
@@ -1158,11 +1166,11 @@
         <translation>%1 из %2 окон</translation>
     </message>
     <message numerus="yes">
-        <source>%n window(s), %1 flagged, in %2 ms</source>
+        <source>%n window(s), %1 flagged, in %2</source>
         <translation>
-            <numerusform>%n окно, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окна, помечено %1, за %2 мс</numerusform>
-            <numerusform>%n окон, помечено %1, за %2 мс</numerusform>
+            <numerusform>%n окно, помечено %1, за %2</numerusform>
+            <numerusform>%n окна, помечено %1, за %2</numerusform>
+            <numerusform>%n окон, помечено %1, за %2</numerusform>
         </translation>
     </message>
     <message>
@@ -1252,6 +1260,10 @@
     <message>
         <source>no windows there</source>
         <translation>окон здесь нет</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>Набор: %1</translation>
     </message>
 </context>
 <context>
@@ -1585,7 +1597,7 @@
     </message>
     <message>
         <source>Neither channel moves for 16 samples and a period of the carrier, or longer, in %1 place(s), %2 samples in all, the first at %3 s: lost samples that were filled, or a wave below one bit. Windows over them are flagged.</source>
-        <translation>Оба канала неподвижны 16 отсчётов и период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна над ними отмечены.</translation>
+        <translation>Оба канала неподвижны 16 отсчётов и период несущей или дольше: мест %1, отсчётов %2, первое при %3 с. Это заполненные потерянные отсчёты или волна слабее одного разряда. Окна, содержащие эти места, отмечены.</translation>
     </message>
     <message>
         <source>In %1 places, the first at %2 s, both channels repeat a sample or are zero, off the wave around them: lost samples that were filled. The decay is wrong where their number grows or falls. Record without losses.</source>
@@ -1669,19 +1681,19 @@
     </message>
     <message>
         <source>Recording %1: the frequency drifts by %2 Hz per second (standard deviation %3); the drift is fitted, and Q is free of it.</source>
-        <translation>Запись %1: частота уходит на %2 Гц в секунду (стандартное отклонение %3); уход включён в подгонку, и добротность от него не зависит.</translation>
+        <translation>Запись %1: частота уходит на %2 Гц в секунду (СКО %3); уход включён в подгонку, и добротность от него не зависит.</translation>
     </message>
     <message>
         <source>The frequency depends on the amplitude: %1 Hz per squared recording unit (standard deviation %2); this is fitted.</source>
-        <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (стандартное отклонение %2); это включено в подгонку.</translation>
+        <translation>Частота зависит от амплитуды: %1 Гц на квадрат единицы записи (СКО %2); это включено в подгонку.</translation>
     </message>
     <message>
         <source>Recording %1: Q from the envelope, %2, and from the coherent fit, %3, differ by more than four standard deviations: the motion is not that of a resonator with constant parameters.</source>
-        <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на четыре стандартных отклонения: это не движение резонатора с постоянными параметрами.</translation>
+        <translation>Запись %1: добротность по огибающей, %2, и по когерентной подгонке, %3, расходятся больше чем на четыре СКО: это не движение резонатора с постоянными параметрами.</translation>
     </message>
     <message>
         <source>The residual is above the noise of the windows (chi square per degree of freedom %1); the standard deviations are enlarged to match.</source>
-        <translation>Невязка больше шума окон (хи-квадрат на степень свободы %1); стандартные отклонения соответственно увеличены.</translation>
+        <translation>Невязка больше шума окон (хи-квадрат на степень свободы %1); СКО соответственно увеличены.</translation>
     </message>
     <message>
         <source>The fit of the resonator stopped before it converged: its values are refused.</source>
@@ -1937,7 +1949,7 @@
     </message>
     <message>
         <source>The recordings differ by more than their noise: %1 (standard deviations). The combined uncertainties hold this spread.</source>
-        <translation>Записи различаются больше, чем их шум: %1 (стандартные отклонения). Суммарные неопределённости включают этот разброс.</translation>
+        <translation>Записи различаются больше, чем их шум: %1 (в СКО). Суммарные неопределённости включают этот разброс.</translation>
     </message>
     <message>
         <source>Two or three recordings do not show whether all are of one resonator. The combined uncertainties hold an assumed spread between them: of the decay rate by %1 %, of the split by %2 %, of the gain ratio by %3 %.</source>
@@ -2307,7 +2319,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Частота</translation>
+        <translation>Частота дискретизации</translation>
     </message>
     <message>
         <source>Length</source>
@@ -2766,7 +2778,7 @@
     </message>
     <message>
         <source>Standard deviation of white noise that leaves this residual: the parameters of a window take up a part of it. Unknown after a band-pass filter.</source>
-        <translation>СКО белого шума, который даёт такую невязку: часть его забирают параметры окна. После полосового фильтра неизвестен.</translation>
+        <translation>СКО белого шума, который даёт такую невязку: часть его уходит на параметры окна. После полосового фильтра неизвестен.</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -2801,8 +2813,8 @@
         <translation>Наибольшее отклонение от среднего в СКО и сколько отсчётов нормального шума в среднем отклоняются сильнее</translation>
     </message>
     <message>
-        <source>%1 (expected beyond: %2)</source>
-        <translation>%1 (ожидается дальше: %2)</translation>
+        <source>%1 (expected beyond it: %2 samples)</source>
+        <translation>%1 (за ним ожидается отсчётов: %2)</translation>
     </message>
     <message>
         <source>%1 Hz: %2</source>
@@ -3164,6 +3176,10 @@
         <translation>Калибровать с δ = %1 мкс</translation>
     </message>
     <message>
+        <source>Remove the offsets of the channels</source>
+        <translation>Убрать смещения каналов</translation>
+    </message>
+    <message>
         <source>Calibrate with κ = %1</source>
         <translation>Калибровать с κ = %1</translation>
     </message>
@@ -3338,10 +3354,6 @@
     <message>
         <source>±: standard deviation.</source>
         <translation>± — СКО;</translation>
-    </message>
-    <message>
-        <source>Remove the offsets of the channels</source>
-        <translation>Убрать смещения каналов</translation>
     </message>
     <message>
         <source>Squared residuals of its windows in the fit of all, in units of their noise; about 1 where there is nothing but noise</source>
@@ -4407,8 +4419,8 @@
         <translation>в папке есть другой список, %1</translation>
     </message>
     <message>
-        <source>neither end of the limit is told</source>
-        <translation>не задан ни один из пределов</translation>
+        <source>least and greatest are both empty</source>
+        <translation>и least, и greatest пусты</translation>
     </message>
     <message>
         <source>it is above the greatest value</source>
@@ -4905,7 +4917,7 @@
         <translation>Пусто: по данным</translation>
     </message>
     <message>
-        <source>Empty: as the data are. Fit and Zoom back take the limits away.</source>
+        <source>Empty: as the data are. Fit and Zoom back remove the limits.</source>
         <translation>Пусто: по данным. «Показать всё» и «Предыдущий масштаб» снимают пределы.</translation>
     </message>
     <message>
@@ -5761,7 +5773,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Частота</translation>
+        <translation>Частота дискретизации</translation>
     </message>
     <message>
         <source>Rows a second, of a file without times</source>
@@ -6328,7 +6340,7 @@
     </message>
     <message>
         <source>Baseline of the control charts</source>
-        <translation>База контрольных карт</translation>
+        <translation>Базовые результаты контрольных карт</translation>
     </message>
     <message>
         <source>So many first results of the gyro set centre and limits of the charts</source>
@@ -6849,10 +6861,6 @@
         <translation>тренд</translation>
     </message>
     <message>
-        <source>Values of the windows at the mouse in the plots, with standard deviations</source>
-        <translation>Значения окон под указателем мыши на графиках, с СКО</translation>
-    </message>
-    <message>
         <source>Values of the windows at cursor A</source>
         <translation>Значения окон у курсора A</translation>
     </message>
@@ -6883,6 +6891,14 @@
     <message>
         <source>A line is an exponential for the working wave; a beat is a damped sinusoid. Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
         <translation>Прямая для рабочей волны — экспонента; биения — затухающая синусоида. Взвешенный метод наименьших квадратов по окнам между курсорами, не имеющим общих отсчётов. Где разброс больше шума, СКО увеличены во столько же.</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>начало</translation>
+    </message>
+    <message>
+        <source>Values of the windows at the mouse in the plots, with standard deviations; of the first ones while it is elsewhere</source>
+        <translation>Значения окон под мышью на графиках, с СКО; пока она не на графиках — первых окон</translation>
     </message>
 </context>
 <context>
@@ -7789,12 +7805,20 @@
         <translation>Журналы…</translation>
     </message>
     <message>
+        <source>Add logs to the set, remove some, or tell otherwise what they are</source>
+        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
+    </message>
+    <message>
         <source>Sets</source>
         <translation>Наборы</translation>
     </message>
     <message>
         <source>Sets of recordings</source>
         <translation>Наборы записей</translation>
+    </message>
+    <message>
+        <source>Each with its recordings: those that are checked are of one resonator and are identified together. A check mark behind their number: identified. F2 names a set; Delete removes a recording or a set</source>
+        <translation>Каждый со своими записями: отмеченные принадлежат одному резонатору и идентифицируются вместе. Галочка после их числа: набор идентифицирован. F2 — назвать набор; Delete — убрать запись или набор</translation>
     </message>
     <message>
         <source>%1 °C</source>
@@ -7807,14 +7831,6 @@
     <message>
         <source>%1 rec.</source>
         <translation>%1 зап.</translation>
-    </message>
-    <message>
-        <source>Each with its recordings: those that are checked are of one resonator and are identified together. A check mark behind their number: identified. F2 names a set; Delete removes a recording or a set</source>
-        <translation>Каждый со своими записями: отмеченные принадлежат одному резонатору и идентифицируются вместе. Галочка после их числа: набор идентифицирован. F2 — назвать набор; Delete — убрать запись или набор</translation>
-    </message>
-    <message>
-        <source>Add logs to the set, remove some, or tell otherwise what they are</source>
-        <translation>Добавить журналы в набор, убрать их или указать иначе, что в них</translation>
     </message>
     <message>
         <source>Structured</source>
@@ -8061,19 +8077,19 @@
 <context>
     <name>vybeg::ui::StatusLine</name>
     <message numerus="yes">
-        <source>%n window(s) in %1 s</source>
+        <source>%n window(s) in %1</source>
         <translation>
-            <numerusform>%n окно за %1 с</numerusform>
-            <numerusform>%n окна за %1 с</numerusform>
-            <numerusform>%n окон за %1 с</numerusform>
+            <numerusform>%n окно за %1</numerusform>
+            <numerusform>%n окна за %1</numerusform>
+            <numerusform>%n окон за %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Resonator of %n recording(s) in %1 s</source>
+        <source>Resonator of %n recording(s) in %1</source>
         <translation>
-            <numerusform>Резонатор по %n записи за %1 с</numerusform>
-            <numerusform>Резонатор по %n записям за %1 с</numerusform>
-            <numerusform>Резонатор по %n записям за %1 с</numerusform>
+            <numerusform>Резонатор по %n записи за %1</numerusform>
+            <numerusform>Резонатор по %n записям за %1</numerusform>
+            <numerusform>Резонатор по %n записям за %1</numerusform>
         </translation>
     </message>
     <message>

@@ -87,7 +87,8 @@ Result<std::vector<TypedLimit>> read_limits(const std::filesystem::path& path) {
             }
         }
         if (!read.limit.lower && !read.limit.upper) {
-            return table.invalid(row.line, "least", Phrase::tr("neither end of the limit is told"));
+            return table.invalid(row.line, "least",
+                                 Phrase::tr("least and greatest are both empty"));
         }
         if (read.limit.lower && read.limit.upper && *read.limit.lower > *read.limit.upper) {
             return table.invalid(row.line, "least", Phrase::tr("it is above the greatest value"));

@@ -75,7 +75,7 @@ private slots:
               std::pair{"parameter,least\nsplt,1\n", "(did you mean split_hz?)."},
               std::pair{"parameter,least\ntau_s,much\n", "\"much\" is not a number"},
               std::pair{"parameter,least\ntau_s,nan\n", "\"nan\" is not a number"},
-              std::pair{"parameter,least\ntau_s,\n", "neither end of the limit is told"},
+              std::pair{"parameter,least\ntau_s,\n", "least and greatest are both empty"},
               std::pair{"parameter,least,greatest\ntau_s,5,4\n", "above the greatest value"},
               std::pair{"parameter,least\ntau_s,5\ntau_s,4\n", "has a limit above already"},
               std::pair{"parameter,least,gratest\ntau_s,1,3\n",

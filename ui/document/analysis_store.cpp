@@ -3,6 +3,7 @@
 #include "core/output/output_file.h"
 #include "core/output/track_file.h"
 #include "core/recording/samples/recording.h"
+#include "ui/words/display_units.h"
 #include "ui/words/program_name.h"
 
 #include <QFileInfo>
@@ -50,8 +51,7 @@ void AnalysisEntry::take(AnalysisOutcome outcome) {
 ShownAnalysis shownOf(const Recording& recording) {
     ShownAnalysis shown;
     shown.recording = QString::fromStdU16String(recording.path.filename().u16string());
-    shown.unit = QString::fromStdString(
-        recording.channels.at(static_cast<std::size_t>(recording.channel_c - 1)).unit);
+    shown.unit = fileUnit(recording);
     shown.rate_hz = recording.rate_hz;
     shown.recorded_s = recording.seconds();
     return shown;

@@ -18,7 +18,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
@@ -225,8 +224,8 @@ void DriftPanel::refresh() {
     rate_->setValue(settings.open.rate_hz);
     kappa_->setValue(settings.tolerance[kappa_error]);
     skew_->setValue(settings.tolerance[skew_error]);
-    kappa_->setPlaceholderText(QLocale().toString(assumed_tolerance(kappa_error, 1)));
-    skew_->setPlaceholderText(QLocale().toString(assumed_tolerance(skew_error, 1)));
+    kappa_->setPlaceholderText(shortNumberText(assumed_tolerance(kappa_error, 1), 6));
+    skew_->setPlaceholderText(shortNumberText(assumed_tolerance(skew_error, 1), 6));
 }
 
 void DriftPanel::retranslate() {

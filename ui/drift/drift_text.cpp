@@ -4,7 +4,6 @@
 #include "ui/words/error_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,7 @@ struct DriftWords {
 XYSeries meansOf(const WholeAngleDrift& drift, double angle, double rate) {
     XYSeries means{
         .name = DriftWords::tr("means over %1°")
-                    .arg(QLocale().toString(180.0 / static_cast<double>(drift.bins.size()))),
+                    .arg(shortNumberText(180.0 / static_cast<double>(drift.bins.size()), 6)),
         .ink = Ink::channel_c,
         .points = true};
     for (const LogBin& bin : drift.bins) {
@@ -74,18 +73,17 @@ bool hasAll(const WholeAngleDrift& drift) {
 // A number of a log, with no more decimals than it has use for.
 QuantityCell plainCell(double value) {
     constexpr double large = 100;
-    return {QLocale().toString(value, 'f', std::abs(value) < large ? 1 : 0),
+    return {numberLabel(value, std::abs(value) < large ? 1 : 0),
             {exactText(value), QString(), QString()},
             {}};
 }
 
 QuantityCell rowsCell(const LogDrift& log) {
-    const QLocale locale;
-    const QString rows = locale.toString(static_cast<qint64>(log.rows));
+    const QString rows = countLabel(static_cast<std::int64_t>(log.rows));
     return sentenceCell(log.missing == 0
                             ? rows
                             : DriftWords::tr("%1, %2 without")
-                                  .arg(rows, locale.toString(static_cast<qint64>(log.missing))));
+                                  .arg(rows, countLabel(static_cast<std::int64_t>(log.missing))));
 }
 
 }  // namespace

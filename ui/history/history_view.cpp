@@ -3,7 +3,6 @@
 #include "core/resonator/results/resonator_parameters.h"
 #include "ui/words/error_text.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -453,7 +452,7 @@ QString pointText(const HistoryView& view, std::size_t point) {
     const double factor = parameter.factor;
     const QString& unit = parameter.unit;
     const auto numbered = [](const QString& text, double value, int digits) {
-        return QStringLiteral("; ") + text.arg(QLocale().toString(value, 'g', digits));
+        return QStringLiteral("; ") + text.arg(shortNumberText(value, digits));
     };
     QString text = QStringLiteral("%1: %2").arg(
         nameOf(at),
@@ -464,7 +463,9 @@ QString pointText(const HistoryView& view, std::size_t point) {
         text += QStringLiteral(" ") + unit;
     }
     if (std::isfinite(at.f_mean_hz.value)) {
-        text += numbered(HistoryWords::tr("f = %1 Hz"), at.f_mean_hz.value, 9);
+        text += QStringLiteral("; ") +
+                HistoryWords::tr("f = %1 Hz")
+                    .arg(valueText(at.f_mean_hz.value, at.f_mean_hz.uncertainty()));
     }
     if (std::isfinite(at.temperature_c)) {
         text += numbered(HistoryWords::tr("%1 °C"), at.temperature_c, 4);

@@ -7,7 +7,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 
 #include <cmath>
 
@@ -52,13 +51,11 @@ void CursorTimes::showDifference() {
     const auto a_s = fields_[0]->value();
     const auto b_s = fields_[1]->value();
     const bool apart = a_s && b_s && *a_s != *b_s;
-    difference_->setText(
-        outside_ ? tr("A cursor stands where the analysis has no windows.")
-        : apart  ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
-                      .arg(groupedDigits(QLocale().toString(*b_s - *a_s, 'g', 8))
-                               .replace('-', QChar(0x2212)),
-                           groupedDigits(QLocale().toString(1 / std::abs(*b_s - *a_s), 'g', 6)))
-                : QString());
+    difference_->setText(outside_ ? tr("A cursor stands where the analysis has no windows.")
+                         : apart  ? tr("B − A = %1 s, 1/|B − A| = %2 Hz")
+                                       .arg(shortNumberText(*b_s - *a_s, 8),
+                                            shortNumberText(1 / std::abs(*b_s - *a_s), 6))
+                                 : QString());
 }
 
 void CursorTimes::retranslate() {

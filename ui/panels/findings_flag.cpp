@@ -10,7 +10,6 @@
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QTextBrowser>
 #include <QTreeWidget>
 #include <QUrl>
@@ -151,7 +150,7 @@ void CheckList::refresh() {
 QString CheckList::rowOf(const Diagnostic& finding, const QString& text) const {
     QString place;
     if (finding.first_frame >= 0) {
-        const QString time = QLocale().toString(seconds(finding.first_frame), 'f', 4);
+        const QString time = numberLabel(seconds(finding.first_frame), 4);
         place = QStringLiteral("<a href=\"%1,%2\">%3</a>")
                     .arg(finding.first_frame)
                     .arg(finding.count)
@@ -259,7 +258,7 @@ void FindingsFlag::refresh() {
     } else {
         check_->setRunning();
     }
-    setText(QStringLiteral("⚑ %1").arg(QLocale().toString(static_cast<qulonglong>(count))));
+    setText(QStringLiteral("⚑ %1").arg(countLabel(static_cast<std::int64_t>(count))));
     QFont font = this->font();
     font.setBold(hasFindings(*recording));
     setFont(font);
@@ -289,11 +288,10 @@ void FindingsFlag::fillEvents(const AnalysisEntry* entry) {
         return;
     }
     listed_ = entry->shown.analysis;
-    const QLocale locale;
     QList<QTreeWidgetItem*> items;
     for (std::size_t i = 0; i < std::min(entry->events.size(), most_events); ++i) {
         const Event& event = entry->events[i];
-        auto* item = new QTreeWidgetItem({locale.toString(event.time_s, 'f', 4), eventText(event)});
+        auto* item = new QTreeWidgetItem({numberLabel(event.time_s, 4), eventText(event)});
         item->setData(0, Qt::UserRole, event.time_s);
         item->setData(1, Qt::UserRole, event.seconds);
         item->setTextAlignment(0, Qt::AlignRight | Qt::AlignVCenter);

@@ -7,9 +7,9 @@
 
 #include <QAction>
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHeaderView>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -82,7 +82,7 @@ Ledger::Ledger(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::analysesChanged, this, &Ledger::rebuild);
     connect(&document_, &Document::liveChanged, this, &Ledger::rebuild);
-    connect(&document_.sets(), &SetStore::changed, this, &Ledger::fillCells);
+    connect(&document_.sets(), &SetStore::changed, this, &Ledger::rebuild);
     connect(&document_, &Document::currentRecordingChanged, this, &Ledger::chooseRow);
     connect(&document_, &Document::analysisAdded, this, [this](AnalysisId id) {
         // Of another recording than the current one it gets its row, but is not chosen.
@@ -192,8 +192,23 @@ void Ledger::chooseRow() {
     }
 }
 
+// Empty where one set alone has recordings, and nothing is to tell apart. A set that is called as
+// the recording says nothing.
+QString Ledger::setsOf(RecordingId id) const {
+    int sets = 0;
+    QStringList names;
+    for (const RecordingSet& set : document_.sets().all()) {
+        sets += set.recordings.empty() ? 0 : 1;
+        if (name_of_set_ && std::ranges::count(set.recordings, id) > 0) {
+            names << name_of_set_(set);
+        }
+    }
+    names.removeAll(QFileInfo(document_.recording(id)->path).completeBaseName());
+    return sets > 1 ? names.join(QStringLiteral(", ")) : QString();
+}
+
 void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
-    nameRow(row, document_.live(), item);
+    nameRow(row, setsOf(row.recording->id), document_.live(), item);
     item.setText(algorithm, {});
     for (const int column :
          {static_cast<int>(window), static_cast<int>(frequency), noiseColumn()}) {
@@ -203,17 +218,15 @@ void Ledger::fill(const LedgerRow& row, QTreeWidgetItem& item) {
     if (row.analysis) {
         const TrackSummary& summary = row.analysis->summary;
         const Analysis& analysis = *row.analysis->shown.analysis;
-        const QLocale locale;
         item.setText(algorithm, algorithmText(analysis.settings.algorithm));
         item.setText(window, countLabel(analysis.plan.length));
         const QString mean = valueText(summary.mean_f_hz, summary.sd_mean_f_hz);
         item.setText(frequency, mean);
-        item.setToolTip(
-            frequency,
-            std::isfinite(summary.mean_at_s)
-                ? tr("%1 Hz at %2 s").arg(mean, locale.toString(summary.mean_at_s, 'g', 4))
-                : QString());
-        item.setText(noiseColumn(), noiseText(summary.noise));
+        item.setToolTip(frequency,
+                        std::isfinite(summary.mean_at_s)
+                            ? tr("%1 Hz at %2 s").arg(mean, shortNumberText(summary.mean_at_s, 4))
+                            : QString());
+        item.setText(noiseColumn(), threeDigits(summary.noise));
     }
     const QString notes = rowNotes(row);
     const QIcon mark = style()->standardIcon(QStyle::SP_MessageBoxWarning);

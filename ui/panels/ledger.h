@@ -9,6 +9,8 @@
 
 #include <QTreeWidget>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -34,6 +36,10 @@ public:
     AnalysisId currentAnalysis() const;
     void setCurrentAnalysis(AnalysisId id);
     std::vector<RecordingId> selectedRecordings() const;
+    // How the sets are called, which stand beside the names of recordings.
+    void setSetNames(std::function<QString(const RecordingSet&)> name_of) {
+        name_of_set_ = std::move(name_of);
+    }
 
     void setUnits(const DisplayUnits& units);
     // Those of the plots.
@@ -66,6 +72,7 @@ private:
     void rebuild();
     void retranslate();
     void fill(const LedgerRow& row, QTreeWidgetItem& item);
+    QString setsOf(RecordingId id) const;
     void chooseRow();
     void measure();
     void fillCells();
@@ -83,6 +90,7 @@ private:
     QAction* reopen_;
     QAction* copy_facts_;
     QAction* remove_;
+    std::function<QString(const RecordingSet&)> name_of_set_;
     DisplayUnits units_;
     std::vector<SlowVariable> variables_{main_slow_variables.begin(), main_slow_variables.end()};
     Measuring measuring_;

@@ -16,7 +16,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPainter>
 #include <QToolButton>
 
@@ -43,7 +42,7 @@ QString channelText(const Recording& recording, int number) {
 }
 
 QString rateText(const Recording& recording) {
-    const QString hertz = groupedDigits(QLocale().toString(recording.rate_hz, 'g', 10));
+    const QString hertz = shortNumberText(recording.rate_hz, 10);
     switch (recording.rate_from) {
         case RateOrigin::file: return RowWords::tr("%1 Hz, from the file").arg(hertz);
         case RateOrigin::time_column: return RowWords::tr("%1 Hz, from the time column").arg(hertz);
@@ -55,6 +54,7 @@ QString rateText(const Recording& recording) {
 constexpr int analysis_role = Qt::UserRole;
 constexpr int recording_role = Qt::UserRole + 1;
 constexpr int short_name_role = Qt::UserRole + 2;
+constexpr int sets_role = Qt::UserRole + 3;
 
 // The name of an analysis as its row shows it: without the ending that other columns show, where it
 // is alone, and only by its ending below its recording. Null: as it is.
@@ -70,18 +70,16 @@ QVariant shortName(const LedgerRow& row) {
 }
 
 QStringList analysisFacts(const AnalysisEntry& entry, bool live) {
-    const QLocale locale;
     const Analysis& analysis = *entry.shown.analysis;
     const std::size_t count = entry.summary.windows;
     QStringList facts{entry.shown.name, algorithmText(analysis.settings.algorithm)};
-    facts << (entry.partial()
-                  ? RowWords::tr("%1 of %2 windows")
-                        .arg(countLabel(static_cast<std::int64_t>(count)),
-                             countLabel(analysis.plan.count))
-                  : RowWords::tr("%n window(s), %1 flagged, in %2 ms", nullptr,
-                                 static_cast<int>(count))
-                        .arg(entry.summary.flagged)
-                        .arg(locale.toString(1e3 * analysis.timing.estimate_s, 'g', 3)));
+    facts << (entry.partial() ? RowWords::tr("%1 of %2 windows")
+                                    .arg(countLabel(static_cast<std::int64_t>(count)),
+                                         countLabel(analysis.plan.count))
+                              : RowWords::tr("%n window(s), %1 flagged, in %2", nullptr,
+                                             static_cast<int>(count))
+                                    .arg(entry.summary.flagged)
+                                    .arg(secondsText(analysis.timing.estimate_s)));
     if (live) {
         facts << RowWords::tr(
             "Follows the settings while Live is on; Keep keeps an analysis as it is");
@@ -138,15 +136,17 @@ Reading read(const LedgerReader& reader, const AnalysisEntry* entry, SlowVariabl
 }
 
 // Symbol and unit, with the prefix or power of ten of the column.
-QString headOf(const LedgerReader& reader, SlowVariable variable, int exponent) {
+QString headOf(const LedgerReader& reader, SlowVariable variable, const QString& of_file,
+               int exponent) {
     const bool beat = reader.at == ReadAt::rate && reader.measuring.kind == TrendKind::beat;
-    QString unit = displayUnit(variable, reader.units);
+    QString unit = displayUnit(variable, reader.units, of_file);
     if (beat) {
         unit = RowWords::tr("Hz");
     } else if (reader.at == ReadAt::rate) {
         unit = unit.isEmpty() ? RowWords::tr("1/s") : RowWords::tr("%1/s").arg(unit);
     }
-    const QString scaled = scaledUnit(unit, beat || takesPrefix(variable, reader.units), exponent);
+    const QString scaled =
+        scaledUnit(unit, beat || takesPrefix(variable, reader.units, of_file), exponent);
     return withUnit(displaySymbol(variable, reader.units), scaled);
 }
 
@@ -162,18 +162,16 @@ QString recordingFacts(const RecordingEntry& entry) {
     add(RowWords::tr("File"), QDir::toNativeSeparators(entry.path));
     if (entry.recording) {
         const Recording& recording = *entry.recording;
-        const QLocale locale;
         add(RowWords::tr("Format"), formatText(recording.format));
         add(RowWords::tr("Rate"), rateText(recording));
         add(RowWords::tr("Length"),
             RowWords::tr("%1 s, %n sample(s)", nullptr, static_cast<int>(recording.frames()))
-                .arg(locale.toString(recording.seconds(), 'g', 8)));
+                .arg(shortNumberText(recording.seconds(), 8)));
         add(QStringLiteral("C"), channelText(recording, recording.channel_c));
         add(QStringLiteral("D"), channelText(recording, recording.channel_d));
         add(RowWords::tr("Start"), QString::fromStdString(recording.start));
         if (entry.f0_hz) {
-            add(RowWords::tr("f₀"),
-                RowWords::tr("%1 Hz").arg(locale.toString(*entry.f0_hz, 'f', 4)));
+            add(RowWords::tr("f₀"), RowWords::tr("%1 Hz").arg(numberLabel(*entry.f0_hz, 4)));
         }
         add(QStringLiteral("SHA-256"), entry.sha256);
     }
@@ -200,13 +198,14 @@ std::vector<LedgerRow> ledgerRows(const Document& document) {
     return rows;
 }
 
-void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item) {
+void nameRow(const LedgerRow& row, const QString& sets, bool live, QTreeWidgetItem& item) {
     constexpr int name = name_column;
     const RecordingEntry& recording = *row.recording;
     const AnalysisEntry* entry = row.analysis;
     item.setData(name, recording_role, number(recording.id));
     item.setData(name, analysis_role, number(entry ? entry->shown.id : AnalysisId::none));
     item.setData(name, short_name_role, entry ? shortName(row) : QVariant());
+    item.setData(name, sets_role, row.first ? sets : QString());
     QFont font = item.treeWidget()->font();
     font.setBold(row.first);
     font.setItalic(entry && entry->live && live);
@@ -226,6 +225,9 @@ void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item) {
         item.setText(name, recording.recording ? recording.name
                                                : RowWords::tr("%1 (opening)").arg(recording.name));
     }
+    if (!sets.isEmpty()) {
+        tip << RowWords::tr("Set: %1").arg(sets);
+    }
     tip << recordingFacts(recording);
     item.setToolTip(name, plainTip(tip.join(QLatin1Char('\n'))));
 }
@@ -236,7 +238,7 @@ QString rowNotes(const LedgerRow& row) {
         const TrackSummary& summary = row.analysis->summary;
         if (summary.leakage_limits()) {
             sentences << RowWords::tr("Leakage of the window limits the mean frequency, by %1 Hz.")
-                             .arg(QLocale().toString(summary.leakage_f_hz, 'g', 2));
+                             .arg(shortNumberText(summary.leakage_f_hz, 2));
         }
         if (summary.at_bound > 0) {
             sentences << RowWords::tr(
@@ -267,24 +269,32 @@ void LedgerNames::initStyleOption(QStyleOptionViewItem* option, const QModelInde
     if (const QString text = index.data(short_name_role).toString(); !text.isEmpty()) {
         option->text = text;
     }
+    if (const QString sets = index.data(sets_role).toString(); !sets.isEmpty()) {
+        option->text += QStringLiteral(" · ") + sets;
+    }
 }
 
 CellColumn variableColumn(const LedgerReader& reader, const std::vector<const AnalysisEntry*>& rows,
                           SlowVariable variable, bool concise) {
     std::vector<Reading> readings;
     readings.reserve(rows.size());
+    QStringList file_units;
     for (const AnalysisEntry* entry : rows) {
         readings.push_back(read(reader, entry, variable));
+        if (entry && entry->shown.visible) {
+            file_units << entry->shown.unit;
+        }
     }
     const int exponent = exponentOf(readings);
     const double scale = std::pow(10., -exponent);
-    CellColumn column{headOf(reader, variable, exponent), {}};
+    CellColumn column{headOf(reader, variable, commonUnit(file_units), exponent), {}};
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const double value = scale * readings[row].value;
         const double sd = scale * readings[row].sd;
-        column.cells << (!rows[row] ? QString()
-                         : concise  ? conciseText(value, sd)
-                                    : valueText(value, sd));
+        column.cells << (!rows[row]       ? QString()
+                         : std::isnan(sd) ? threeDigits(value)
+                         : concise        ? conciseText(value, sd)
+                                          : valueText(value, sd));
     }
     return column;
 }
@@ -349,15 +359,25 @@ void LedgerHead::show(ReadAt at, const Measuring& measuring) {
         buttons_[k]->setEnabled(usable[k]);
     }
     buttons_[static_cast<std::size_t>(at)]->setChecked(true);
+    mouse_ = measuring.mouse_s.has_value();
+    showFirst();
     kind_->setCurrentIndex(static_cast<int>(measuring.kind));
     kind_->setVisible(measuring.both());
+}
+
+// Without a mouse over the plots the first windows are read. The button has room for both words.
+void LedgerHead::showFirst() {
+    QToolButton& first = *buttons_.front();
+    first.setText(mouse_ ? tr("mouse") : tr("start"));
+    first.setToolTip(
+        tr("Values of the windows at the mouse in the plots, with standard "
+           "deviations; of the first ones while it is elsewhere"));
 }
 
 void LedgerHead::retranslate() {
     const std::array texts{tr("mouse"), tr("A"), tr("B"), tr("B − A"), tr("trend")};
     const std::array tips{
-        tr("Values of the windows at the mouse in the plots, with standard deviations"),
-        tr("Values of the windows at cursor A"), tr("Values of the windows at cursor B"),
+        QString(), tr("Values of the windows at cursor A"), tr("Values of the windows at cursor B"),
         tr("Differences of the windows at the cursors; without standard deviation where they "
            "share samples"),
         tr("Rates of the trends between the cursors, or frequencies of the beats")};
@@ -365,6 +385,12 @@ void LedgerHead::retranslate() {
         buttons_[k]->setText(texts[k]);
         buttons_[k]->setToolTip(tips[k]);
     }
+    QToolButton& first = *buttons_.front();
+    first.setMinimumWidth(0);
+    int room = first.sizeHint().width();
+    first.setText(tr("start"));
+    first.setMinimumWidth(std::max(room, first.sizeHint().width()));
+    showFirst();
     setTexts(*kind_, {tr("line"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(

@@ -38,8 +38,9 @@ struct LedgerRow {
 // The rows in the order of the recordings, those of each in the order of its analyses.
 std::vector<LedgerRow> ledgerRows(const Document& document);
 
-// Name, colour and facts of a row, in the first column of its item.
-void nameRow(const LedgerRow& row, bool live, QTreeWidgetItem& item);
+// Name, colour and facts of a row, in the first column of its item; behind the name of a recording
+// its sets, where they are to tell.
+void nameRow(const LedgerRow& row, const QString& sets, bool live, QTreeWidgetItem& item);
 // The worst warnings of a row, a line each; empty without any.
 QString rowNotes(const LedgerRow& row);
 
@@ -47,7 +48,7 @@ QString rowNotes(const LedgerRow& row);
 RecordingId recordingOf(const QTreeWidgetItem& item);
 AnalysisId analysisIdOf(const QTreeWidgetItem& item);
 
-// Draws names without what they share with the recording above them.
+// Draws names without what they share with the recording above them, and with their sets.
 class LedgerNames : public NameDelegate {
 public:
     using NameDelegate::NameDelegate;
@@ -94,9 +95,11 @@ signals:
 
 private:
     void retranslate();
+    void showFirst();
 
     std::array<QToolButton*, 5> buttons_{};  // as ReadAt
     QComboBox* kind_;
+    bool mouse_ = false;  // is over the plots
 };
 
 }  // namespace vybeg::ui

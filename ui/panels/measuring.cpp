@@ -83,17 +83,17 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
     return sentences;
 }
 
-QStringList beatSentences(const Analysis& analysis, const std::vector<FittedTrend>& trends,
+QStringList beatSentences(const ShownAnalysis& shown, const std::vector<FittedTrend>& trends,
                           const DisplayUnits& units) {
     QStringList sentences;
     for (const FittedTrend& trend : trends) {
         const auto& beat = std::get<Beat>(trend.fit);
-        const Reading amplitude = changeOf(scaleOf(analysis, trend, units), beat.value,
+        const Reading amplitude = changeOf(scaleOf(*shown.analysis, trend, units), beat.value,
                                            beat.amplitude, beat.sd_amplitude);
         sentences << Words::tr("%1: amplitude %2 %3, damping %4 1/s")
                          .arg(displaySymbol(trend.variable, units),
                               valueText(amplitude.value, amplitude.sd),
-                              displayUnit(trend.variable, units),
+                              displayUnit(trend.variable, units, shown.unit),
                               valueText(beat.damping_per_s, beat.sd_damping_per_s));
     }
     return sentences;
@@ -128,7 +128,7 @@ Reading trendReading(const Analysis& analysis, const FittedTrend& trend,
 }
 
 // What the trends of one kind say in words, a sentence each.
-QStringList trendSentences(const Analysis& analysis, TrendKind kind,
+QStringList trendSentences(const ShownAnalysis& shown, TrendKind kind,
                            const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
     if (trends.empty()) {
         return {
@@ -138,7 +138,7 @@ QStringList trendSentences(const Analysis& analysis, TrendKind kind,
                             "form; the page Resonator finds its split.")
                 : Words::tr("Too few windows between the cursors.")};
     }
-    return kind == TrendKind::beat ? beatSentences(analysis, trends, units)
+    return kind == TrendKind::beat ? beatSentences(shown, trends, units)
                                    : lineSentences(trends, units);
 }
 
@@ -194,10 +194,11 @@ std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring
 // For a spreadsheet: the head, then of each variable its symbol, its unit and what `read` reads.
 template <class Read>
 QString tableOf(const QStringList& head, const auto& variables, const DisplayUnits& units,
-                Read read) {
+                const QString& of_file, Read read) {
     QStringList lines{head.join(QLatin1Char('\t'))};
     for (const SlowVariable variable : variables) {
-        QStringList cells{withUnit(displaySymbol(variable, units), displayUnit(variable, units))};
+        QStringList cells{
+            withUnit(displaySymbol(variable, units), displayUnit(variable, units, of_file))};
         for (const Reading& reading : read(variable)) {
             cells << exactText(reading.value) << exactText(reading.sd);
         }
@@ -338,7 +339,7 @@ QString reasonAt(const Analysis& analysis, double time_s) {
 QStringList measuredSentences(const Document& document, const AnalysisEntry& entry,
                               const Measuring& measuring, const std::vector<FittedTrend>& trends,
                               const DisplayUnits& units) {
-    QStringList sentences = trendSentences(*entry.shown.analysis, measuring.kind, trends, units);
+    QStringList sentences = trendSentences(entry.shown, measuring.kind, trends, units);
     if (measuring.kind != TrendKind::beat) {
         return sentences;
     }
@@ -371,17 +372,20 @@ QString mouseTable(const Document& document, const Measuring& measuring,
     Measuring here = measuring;
     here.mouse_s = measuring.mouse_s.value_or(shown.front()->analysis->track.time_s().front());
     QStringList head{Words::tr("t = %1 s").arg(exactText(*here.mouse_s))};
+    QStringList file_units;
     for (const ShownAnalysis* each : shown) {
         head << each->name << Words::tr("sd");
+        file_units << each->unit;
     }
-    return tableOf(head, shown_slow_variables, units, [&](SlowVariable variable) {
-        std::vector<Reading> readings;
-        for (const ShownAnalysis* each : shown) {
-            readings.push_back(
-                readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units));
-        }
-        return readings;
-    });
+    return tableOf(
+        head, shown_slow_variables, units, commonUnit(file_units), [&](SlowVariable variable) {
+            std::vector<Reading> readings;
+            for (const ShownAnalysis* each : shown) {
+                readings.push_back(
+                    readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units));
+            }
+            return readings;
+        });
 }
 
 QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
@@ -398,7 +402,7 @@ QString cursorTable(const ShownAnalysis& shown, const Measuring& measuring,
                            sd,         Words::tr("B − A"),
                            sd,         rate,
                            sd};
-    return tableOf(head, main_slow_variables, units, [&](SlowVariable variable) {
+    return tableOf(head, main_slow_variables, units, shown.unit, [&](SlowVariable variable) {
         const auto at = [&](ReadAt place) {
             return readingOf(analysis, variable, place, measuring, trends, units);
         };

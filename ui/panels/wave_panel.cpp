@@ -5,10 +5,10 @@
 #include "ui/panels/measuring.h"
 #include "ui/plots/plot_content.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ void WavePanel::refresh() {
         pattern.series[0].name = ellipse.series[0].name = QString();
     }
     pattern.reach = ellipse.reach = largest > 0 ? roundReach(largest) : 1;
-    time_->setText(shown_s ? tr("t = %1 s").arg(QLocale().toString(*shown_s, 'f', 5)) : QString());
+    time_->setText(shown_s ? tr("t = %1 s").arg(numberLabel(*shown_s, 5)) : QString());
     pattern_->setContent(pattern);
     ellipse_->setContent(ellipse);
 }

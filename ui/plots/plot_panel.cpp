@@ -423,10 +423,12 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     setLook(content.theme, font);
     removeGraphs();
     const DisplayScale scale = displayScale(variable_, units, referenceFrequency(content.analyses));
+    QStringList file_units;
     for (const ShownAnalysis& shown : content.analyses) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
             continue;
         }
+        file_units << shown.unit;
         const DecimatedGraph::Look look{
             scale, bands_,
             static_cast<double>(graphs_.size()) / static_cast<double>(content.analyses.size()),
@@ -442,8 +444,9 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     valueAxis()->setScaleType(scale.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     const QString empty = emptyText();
     setScaleShown(!graphs_.empty() && empty.isEmpty());
-    const QString unit = displayUnit(variable_, units);
-    setTexts({displaySymbol(variable_, units), unit, takesPrefix(variable_, units),
+    const QString of_file = commonUnit(file_units);
+    const QString unit = displayUnit(variable_, units, of_file);
+    setTexts({displaySymbol(variable_, units), unit, takesPrefix(variable_, units, of_file),
               unit.isEmpty() || unit == QStringLiteral("°") ? unit : ' ' + unit, empty});
 }
 

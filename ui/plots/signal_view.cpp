@@ -2,10 +2,10 @@
 
 #include "ui/plots/envelope_paint.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 
 #include <QEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPolygonF>
@@ -246,7 +246,7 @@ void SignalView::drawLabel(QPainter& painter, const QRect& area, int alignment,
 void SignalView::drawLength(QPainter& painter, const QRect& area) const {
     const int digits = seconds_ < 10 ? 3 : 5;
     drawLabel(painter, area, int(Qt::AlignRight | Qt::AlignBottom),
-              QStringLiteral("%1 %2").arg(QLocale().toString(seconds_, 'g', digits), tr("s")));
+              QStringLiteral("%1 %2").arg(shortNumberText(seconds_, digits), tr("s")));
 }
 
 SignalView::Grip SignalView::gripAt(const QPointF& position) const {

@@ -5,7 +5,6 @@
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
 
-#include <QLocale>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -152,16 +151,8 @@ bool hasAnalyses(const ReportContent& content) {
 }
 
 QString dateText(const QString& standard) {
-    static const QRegularExpression date(
-        QStringLiteral("^(\\d{4})-(\\d\\d)-(\\d\\d)(?:[T ](\\d\\d:\\d\\d.*))?$"));
-    const auto found = date.match(standard);
-    if (!found.hasMatch()) {
-        return standard;
-    }
-    const bool russian = QLocale().language() == QLocale::Russian;
-    return (russian ? QStringLiteral("%3.%2.%1 %4") : QStringLiteral("%1-%2-%3 %4"))
-        .arg(found.captured(1), found.captured(2), found.captured(3), found.captured(4))
-        .trimmed();
+    static const QRegularExpression date(QStringLiteral("^(\\d{4}-\\d\\d-\\d\\d)T(\\d\\d:\\d\\d)"));
+    return QString(standard).replace(date, QStringLiteral("\\1 \\2"));
 }
 
 QString firstAndLast(const QStringList& texts) {

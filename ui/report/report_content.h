@@ -95,8 +95,8 @@ ReportTitle titleOf(const GyroData& gyro);
 // The title, with the texts of `otherwise` where it has none.
 ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise);
 
-// A date, or a date with a time, of the standard (2026-11-28T09:59) as the interface's language
-// writes it; any other text as it is.
+// A date with a time by ISO 8601 (2026-11-28T09:59) for people, "2026-11-28 09:59"; any other text
+// as it is.
 QString dateText(const QString& standard);
 
 // "first … last" of several; empty of none.

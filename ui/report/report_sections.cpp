@@ -10,7 +10,6 @@
 #include "ui/words/rich_text.h"
 #include "ui/words/settings_text.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -247,12 +246,12 @@ constexpr std::size_t most_events = 60;
 const QString none = QStringLiteral("—");
 
 QString seconds(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+    return numberLabel(value, decimals);
 }
 
 // A rate in Hz with its own digits.
 QString rateText(double rate_hz) {
-    return richText(groupedDigits(QLocale().toString(rate_hz, 'g', 12)));
+    return richText(shortNumberText(rate_hz, 12));
 }
 
 QString bold(const QString& text) {
@@ -318,7 +317,7 @@ QString settingsSection(const ReportContent& content) {
                                                        countLabel(analysis.plan.hop))),
                  richText(countLabel(analysis.plan.count)),
                  valueText(each.summary.mean_f_hz, each.summary.sd_mean_f_hz),
-                 seconds(each.summary.mean_at_s, 3), noiseText(each.summary.noise)});
+                 seconds(each.summary.mean_at_s, 3), threeDigits(each.summary.noise)});
             if (const QString options = optionsText(analysis.settings); !options.isEmpty()) {
                 table.rows.push_back({monospaced(options)});
             }

@@ -184,7 +184,7 @@ std::vector<QuantityRow> residualRows(const Residuals& found, const QString& uni
                 }
                 constexpr double seldom = 1e-3;
                 return QuantityCell{
-                    ResidualWords::tr("%1 (expected beyond: %2)")
+                    ResidualWords::tr("%1 (expected beyond it: %2 samples)")
                         .arg(significant(moments.largest_z, 3),
                              significant(moments.expected_beyond, 2)),
                     {cellNumber(moments.largest_z), cellNumber(moments.expected_beyond)},

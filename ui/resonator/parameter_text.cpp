@@ -5,7 +5,6 @@
 #include "ui/words/error_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -148,7 +147,7 @@ namespace {
 
 // Signed, with one decimal; zero has no sign.
 QString deviationsText(double deviations) {
-    const QString size = QLocale().toString(std::abs(deviations), 'f', 1);
+    const QString size = numberLabel(std::abs(deviations), 1);
     if (std::abs(deviations) < 0.05) {
         return size;
     }
@@ -161,7 +160,7 @@ QuantityCell relativeCell(double relative) {
         return {QStringLiteral("—"), {QString()}, {}};
     }
     const bool small = std::abs(relative) < 1e-4;
-    QString text = QLocale().toString(std::abs(relative) * (small ? 1e6 : 1e2), 'g', 3);
+    QString text = shortNumberText(std::abs(relative) * (small ? 1e6 : 1e2), 3);
     if (relative != 0) {
         text.prepend(relative < 0 ? QChar(0x2212) : QLatin1Char('+'));
     }

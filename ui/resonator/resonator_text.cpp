@@ -8,8 +8,6 @@
 #include "ui/resonator/parameter_text.h"
 #include "ui/words/error_text.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +23,7 @@ QStringList conditionsText(const RecordingRef& recording) {
         }
     };
     const auto number = [](const std::optional<double>& value, const QString& with_unit) {
-        return value ? with_unit.arg(QLocale().toString(*value, 'g', 6)) : QString();
+        return value ? with_unit.arg(shortNumberText(*value, 6)) : QString();
     };
     const Conditions& told = recording.conditions;
     add(ResonatorWords::tr("gyro"), QString::fromStdString(told.gyro));
@@ -141,7 +139,7 @@ QuantityCell limitCell(const ResonatorParameter& parameter, const Estimate& esti
     for (const auto& [sign, value] :
          {std::pair{" ≥ ", limit->lower}, std::pair{" ≤ ", limit->upper}}) {
         if (value) {
-            text += sign + groupedDigits(shortNumberText(factor * *value, limit_digits));
+            text += sign + shortNumberText(factor * *value, limit_digits);
         }
     }
     const Look& look = looks.at(static_cast<std::size_t>(conformity(estimate, *limit)));

@@ -182,7 +182,7 @@ std::vector<QuantityRow> runRows(const Identification& found, const DisplayUnits
     add(ResonatorWords::tr("Noise σ"), amplitude,
         ResonatorWords::tr("Standard deviation per sample and channel"), [&found](std::size_t k) {
             const double sd = found.runs[k].noise_sd;
-            return QuantityCell{noiseText(sd), {exactText(sd), QString(), QString()}, {}};
+            return QuantityCell{threeDigits(sd), {exactText(sd), QString(), QString()}, {}};
         });
     add(ResonatorWords::tr("Windows used"), {},
         ResonatorWords::tr("Without gaps and faults, of all; samples in each"),

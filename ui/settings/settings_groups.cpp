@@ -2,11 +2,11 @@
 
 #include "core/analysis/setting_table.h"
 #include "core/windows/window_plan.h"
+#include "ui/words/display_units.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 
 #include <algorithm>
@@ -155,8 +155,9 @@ void WindowFields::showState() {
     QStringList others;
     for (std::size_t k = 0; k < lengths.size(); ++k) {
         if (k != shown && lengths[k]) {
-            others << QStringLiteral("%1 %2").arg(QLocale().toString(*lengths[k], 'g', 5),
-                                                  unit_->itemText(static_cast<int>(k)));
+            others << QStringLiteral("%1 %2").arg(
+                k == 0 ? countLabel(window) : shortNumberText(*lengths[k], 5),
+                unit_->itemText(static_cast<int>(k)));
         }
     }
     others_->setText(others.join(QStringLiteral(" · ")));
@@ -178,8 +179,8 @@ void WindowFields::showResidual(std::int64_t window) {
     residual_->setText(
         tr("leakage %1")
             .arg(residual < no_residual
-                     ? QStringLiteral("< %1 %").arg(QLocale().toString(100 * no_residual))
-                     : QLocale().toString(100 * residual, 'g', 2) + QStringLiteral(" %")));
+                     ? QStringLiteral("< %1 %").arg(shortNumberText(100 * no_residual, 2))
+                     : shortNumberText(100 * residual, 2) + QStringLiteral(" %")));
     QFont font = this->font();
     font.setBold(residual > high_residual);
     residual_->setFont(font);
@@ -207,7 +208,7 @@ RangeFields::RangeFields(QWidget* parent) : SettingsFields(parent) {
     connect(visible, &QPushButton::clicked, this, &RangeFields::visibleRangeWanted);
     whenShown([this, ends] {
         ends[0]->setPlaceholderText(QStringLiteral("0"));
-        ends[1]->setPlaceholderText(state().seconds ? QLocale().toString(*state().seconds, 'g', 6)
+        ends[1]->setPlaceholderText(state().seconds ? shortNumberText(*state().seconds, 6)
                                                     : QString());
     });
     begin();
@@ -249,8 +250,7 @@ CarrierFields::CarrierFields(QWidget* parent) : SettingsFields(parent) {
         whenShown([this, &fields] { showBand(fields); });
     }
     whenShown([this, f0] {
-        f0->setPlaceholderText(state().f0_hz ? QLocale().toString(*state().f0_hz, 'f', 3)
-                                             : tr("auto"));
+        f0->setPlaceholderText(state().f0_hz ? numberLabel(*state().f0_hz, 3) : tr("auto"));
     });
     begin();
 }
@@ -474,11 +474,11 @@ CalibrationFields::CalibrationFields(QWidget* parent) : SettingsFields(parent) {
 QString CalibrationFields::summary() const {
     const double kappa = state().settings.calibration.kappa;
     const auto tolerance = [&](ErrorSource source) {
-        return QLocale().toString(
-            state().tolerance[source].value_or(assumed_tolerance(source, kappa)), 'g', 3);
+        return shortNumberText(state().tolerance[source].value_or(assumed_tolerance(source, kappa)),
+                               3);
     };
     return QStringLiteral("κ %1 ± %2, ε ± %3°")
-        .arg(QLocale().toString(kappa, 'g', 6), tolerance(kappa_error), tolerance(skew_error));
+        .arg(shortNumberText(kappa, 6), tolerance(kappa_error), tolerance(skew_error));
 }
 
 void CalibrationFields::addTolerance(const Texts& texts, ErrorSource source, double step) {
@@ -497,7 +497,7 @@ void CalibrationFields::addTolerance(const Texts& texts, ErrorSource source, dou
         const bool none = source >= channel_error_count;
         const double assumed =
             assumed_tolerance(source, state().settings.calibration.kappa) / scale;
-        field->setPlaceholderText(none ? QString() : QLocale().toString(assumed));
+        field->setPlaceholderText(none ? QString() : shortNumberText(assumed, 6));
     });
 }
 

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -22,7 +23,10 @@ namespace vybeg::ui {
 
 namespace {
 
+// Of the panel, and in a window that wide or wider.
 constexpr int least_width = 216;
+constexpr int wide_window = 1920;
+constexpr int least_width_there = 240;
 
 // Differences between the plots of the current recording and the settings; empty where a visible
 // analysis of it has the settings.
@@ -67,14 +71,11 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
 
     scroll_ = scrolled(content, this);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    // The panel grows instead of cutting its fields, which change with the language and with
-    // the open sections.
-    whenChanged(*content, {QEvent::LayoutRequest}, [this, content] {
-        const int needed =
-            content->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
-        setFixedWidth(std::max(least_width, needed));
+    whenChanged(*content, {QEvent::LayoutRequest}, [this] { fitWidth(); });
+    whenChanged(*this, {QEvent::Resize}, [this] {
+        fitWidth();
+        unfold();
     });
-    whenChanged(*this, {QEvent::Resize}, [this] { unfold(); });
 
     stale_ = withName(new QLabel(this), "stale");
     stale_->setWordWrap(true);
@@ -108,6 +109,25 @@ SettingsPanel::SettingsPanel(Document& document, QWidget* parent)
     connect(&document_, &Document::carrierChanged, this, &SettingsPanel::refresh);
     connect(&document_, &Document::currentRecordingChanged, this, &SettingsPanel::refresh);
     keepTranslated(*this, [this] { retranslate(); });
+}
+
+QWidget* SettingsPanel::addTool(QAction* action) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::StrongFocus);
+    auto* row = new QWidget(this);
+    fill(new QHBoxLayout(row), {8, 0, 4, 0}, {LayoutPart(1), button});
+    layout()->addWidget(row);
+    return row;
+}
+
+// The panel grows instead of cutting its fields, which change with the language and with what is
+// open.
+void SettingsPanel::fitWidth() {
+    const int needed = scroll_->widget()->minimumSizeHint().width() +
+                       scroll_->verticalScrollBar()->sizeHint().width();
+    const int least = window()->width() < wide_window ? least_width : least_width_there;
+    setFixedWidth(std::max(least, needed));
 }
 
 void SettingsPanel::add(SettingsFields* fields, const char* title, bool open) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -28,6 +29,9 @@ public:
     // Analyses with the values of the fields. A field with a fault gets the focus instead.
     void analyse();
 
+    // A row with the button of a command, at the foot.
+    QWidget* addTool(QAction* action);
+
 signals:
     void visibleRangeWanted();
     // A field with a fault is to be seen.
@@ -45,6 +49,7 @@ private:
     void refresh();
     void showStaleness();
     void unfold();
+    void fitWidth();
     void retranslate();
 
     Document& document_;

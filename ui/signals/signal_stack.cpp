@@ -447,7 +447,7 @@ void SignalStack::refresh(SignalPart part, TimePanel& panel) {
                     : part == SignalPart::c ? QStringLiteral("C")
                                             : QStringLiteral("D"),
                     content_.unit,
-                    !content_.unit.isEmpty(),
+                    takesPrefix(content_.unit),
                     {},
                     empty});
     panel.setScaleShown(empty.isEmpty());

@@ -27,9 +27,7 @@ QString sweepUnit(const SweepView& view, std::size_t variable) {
     if (units.amplitude == AmplitudeUnit::decibels) {
         units.amplitude = AmplitudeUnit::recording;
     }
-    const QString unit = displayUnit(main_slow_variables[variable], units);
-    const bool amplitude = info(main_slow_variables[variable]).quantity == Quantity::amplitude;
-    return amplitude && unit.isEmpty() ? view.channel_unit : unit;
+    return displayUnit(main_slow_variables[variable], units, view.channel_unit);
 }
 
 using ValueOf = std::function<double(const SweepLength&)>;
@@ -309,7 +307,7 @@ QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
     const double factor = sweepFactor(sweep, view, view.variable);
     const auto cell = [](double value) {
-        return QuantityCell{noiseText(value), {cellNumber(value)}, {}};
+        return QuantityCell{threeDigits(value), {cellNumber(value)}, {}};
     };
     const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;

@@ -22,7 +22,7 @@ struct ShownAnalysis {
     QString recording;  // name of the file
     QColor color;       // of the recording, see theme.h
     int shade = 0;      // of the analyses of that colour
-    QString unit;       // of the channels; empty: not known
+    QString unit;       // of the channels; empty: not known, or two
     bool visible = true;
     double rate_hz = 0;
     double recorded_s = 0;  // length of the recording; 0: not known

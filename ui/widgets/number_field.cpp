@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "core/base/setting_rows.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -29,6 +30,20 @@ std::optional<double> readNumber(QString text) {
     const auto number = parse_number(text.toStdString());
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
+
+namespace {
+
+// Without a power of ten, which nobody types: "0.00001".
+QString fieldText(double value, int digits) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QString text = locale.toString(value, 'g', digits);
+    return text.contains(QLatin1Char('e'), Qt::CaseInsensitive)
+               ? locale.toString(*readNumber(text), 'f', QLocale::FloatingPointShortest)
+               : text;
+}
+
+}  // namespace
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight);
@@ -98,16 +113,14 @@ void NumberField::showValue() {
         setText({});
         return;
     }
-    const QLocale locale;
-    setText(integer_ ? locale.toString(static_cast<qint64>(std::llround(*value_)))
-                     : locale.toString(*value_, 'g', digits_));
+    setText(integer_ ? QLocale().toString(static_cast<qint64>(std::llround(*value_)))
+                     : fieldText(*value_, digits_));
 }
 
 NumberField::Reading NumberField::read() const {
     if (text().trimmed().isEmpty()) {
         return {std::nullopt, optional_ ? QString() : tr("A number is needed.")};
     }
-    const QLocale locale;
     const auto number = readNumber(text());
     QString refusal;
     if (!number) {
@@ -115,11 +128,12 @@ NumberField::Reading NumberField::read() const {
     } else if (integer_ && std::floor(*number) != *number) {
         refusal = tr("A whole number is needed.");
     } else if (*number < lowest_) {
-        refusal = lowest_ == std::numeric_limits<double>::min()
-                      ? tr("A number above zero is needed.")
-                      : tr("At least %1 is needed.").arg(locale.toString(lowest_, 'g', digits_));
+        refusal =
+            lowest_ == std::numeric_limits<double>::min()
+                ? tr("A number above zero is needed.")
+                : tr("At least %1 is needed.").arg(groupedDigits(fieldText(lowest_, digits_)));
     } else if (*number > highest_) {
-        refusal = tr("At most %1 is possible.").arg(locale.toString(highest_, 'g', digits_));
+        refusal = tr("At most %1 is possible.").arg(groupedDigits(fieldText(highest_, digits_)));
     }
     return {number, refusal};
 }

@@ -2,6 +2,7 @@
 
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 #include "ui/words/rich_text.h"
 
 #include <QCheckBox>
@@ -11,7 +12,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -197,7 +197,7 @@ void ExportDialog::refresh() {
     const double least = leastHeightMm();
     height_mm_->setConflict(
         height_mm_->value().value_or(least) < least
-            ? tr("At least %1 mm is needed for these plots.").arg(QLocale().toString(least))
+            ? tr("At least %1 mm is needed for these plots.").arg(shortNumberText(least, 4))
             : QString());
     const QString wrong = fault();
     save_->setEnabled(wrong.isEmpty());

@@ -171,6 +171,7 @@ void MainWindow::buildPages() {
     overview_->standOver(signals_->view());
     wave_ = new WavePanel(document_, this);
     ledger_ = new Ledger(document_, this);
+    ledger_->setSetNames([this](const RecordingSet& set) { return setName(document_, set); });
     messages_ = new MessageBar(this);
 }
 
@@ -207,6 +208,7 @@ void MainWindow::buildTopRow() {
     fill(new QHBoxLayout(row), {}, 0,
          {{menu_bar_, 0, Qt::AlignVCenter}, LayoutPart(1), pages_->tabs(), LayoutPart(1), tools_});
     setMenuWidget(row);
+    wave_button_ = settings_->addTool(action(Command::wave));
     tracks_->setContextMenuPolicy(Qt::ActionsContextMenu);
     for (const Command command :
          {Command::zoom_fit, Command::zoom_back, Command::axis_limits, Command::log_a_A,
@@ -363,6 +365,7 @@ void MainWindow::showPanels() {
     ledger_->setVisible(needs.ledger);
     times_->setVisible(needs.ledger && !document_.analyses().empty());
     wave_->setVisible(needs.wave && wave);
+    wave_button_->setVisible(needs.wave && width() >= wide);
     // The row of the times is the ledger's; other pages own the window.
     if (needs.ledger == statusBar()->isHidden()) {
         statusBar()->setVisible(needs.ledger);

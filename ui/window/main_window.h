@@ -123,6 +123,7 @@ private:
     CursorTimes* times_ = nullptr;
     ResonatorPage* resonator_ = nullptr;
     WavePanel* wave_ = nullptr;
+    QWidget* wave_button_ = nullptr;
     StatusLine* status_ = nullptr;
     QPointer<HelpView> help_;
 };

@@ -270,7 +270,7 @@ std::vector<CommandRow> WindowCommands::of(MainWindow& w) {
          .enabled = plots,
          .act = [&w] { askForAxisLimits(*w.tracks_, &w); }},
         {.id = Command::analyse,
-         .text = QT_TR_NOOP("&Analyse"),
+         .text = QT_TR_NOOP("&Keep"),
          .tip = QT_TR_NOOP(
              "Analyse the current recording with the settings of the panel and keep the analysis"),
          .icon = "run",

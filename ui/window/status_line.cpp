@@ -2,10 +2,10 @@
 
 #include "ui/document/document.h"
 #include "ui/widgets/page_parts.h"
+#include "ui/words/display_units.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -49,15 +49,14 @@ StatusLine::StatusLine(Document& document, QWidget* parent)
         const auto found = document_.sets().outcome(*document_.sets().find(set_id));
         const auto count = static_cast<int>(found->set.recordings.size());
         tell([count, seconds = found->seconds] {
-            return tr("Resonator of %n recording(s) in %1 s", nullptr, count)
-                .arg(QLocale().toString(seconds, 'g', 2));
+            return tr("Resonator of %n recording(s) in %1", nullptr, count)
+                .arg(secondsText(seconds));
         });
     });
     connect(&document_, &Document::finished, this, [this](AnalysisId analysis_id, double seconds) {
         const auto windows = static_cast<int>(document_.analysis(analysis_id)->summary.windows);
         tell([windows, seconds] {
-            return tr("%n window(s) in %1 s", nullptr, windows)
-                .arg(QLocale().toString(seconds, 'g', 2));
+            return tr("%n window(s) in %1", nullptr, windows).arg(secondsText(seconds));
         });
     });
     connect(&document_, &Document::reported, this, [this](const Message& message) {

@@ -14,7 +14,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -28,16 +27,20 @@ namespace vybeg::ui {
 
 namespace {
 
+// Of what is typed.
+constexpr int input_digits = 12;
+
 QString settingsText(const AnalysisEntry& entry) {
     const Analysis& analysis = *entry.shown.analysis;
     QString text = TracksPage::tr("%1: %2; window %3, step %4 samples; f0 = %5 Hz")
                        .arg(entry.shown.recording, algorithmText(analysis.settings.algorithm))
                        .arg(analysis.plan.length)
                        .arg(analysis.plan.hop)
-                       .arg(QLocale().toString(analysis.f0_hz(), 'f', 3));
+                       .arg(numberLabel(analysis.f0_hz(), 3));
     if (const auto& band = analysis.settings.filter) {
         text += TracksPage::tr("; filter %1 to %2 Hz")
-                    .arg(QLocale().toString(band->low_hz), QLocale().toString(band->high_hz));
+                    .arg(shortNumberText(band->low_hz, input_digits),
+                         shortNumberText(band->high_hz, input_digits));
     }
     return text;
 }
@@ -52,11 +55,10 @@ QString scatterText(const Analysis& analysis, const DisplayUnits& units) {
     if (sds.empty()) {
         return {};
     }
-    const QString unit = displayUnit(variable, units);
+    const QString unit = displayUnit(variable, units, {});
     return QStringLiteral("σ(%1) = %2%3")
         .arg(displaySymbol(variable, units),
-             QLocale().toString(displayScale(variable, units, 0).sd(0, median(std::move(sds))), 'g',
-                                2),
+             shortNumberText(displayScale(variable, units, 0).sd(0, median(std::move(sds))), 2),
              unit == QStringLiteral("°") ? unit : ' ' + unit);
 }
 
@@ -216,13 +218,19 @@ AxisLimitsDialog::AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWi
     const auto& fixed = tracks.zoom().current().fixed;
     const auto typed = fixed.find(variable);
     const AxisRange shown = tracks.valueRange(variable);
+    QStringList file_units;
+    for (const ShownAnalysis& each : tracks.analyses()) {
+        if (each.visible) {
+            file_units << each.unit;
+        }
+    }
     auto* form = new QFormLayout;
     const auto add = [&](NumberField* field, const QString& label, double end) {
         constexpr int digits = 8;
         constexpr int shown_digits = 6;
         field->setOptional(true);
         field->setDigits(digits);
-        field->setUnit(displayUnit(variable, tracks.units()));
+        field->setUnit(displayUnit(variable, tracks.units(), commonUnit(file_units)));
         field->setMinimumWidth(200);
         field->setPlaceholderText(shortNumberText(end, shown_digits));
         addRow(*form, label, field, tr("Empty: as the data are"));
@@ -235,7 +243,7 @@ AxisLimitsDialog::AxisLimitsDialog(TrackView& tracks, SlowVariable variable, QWi
     add(lower_, tr("From"), shown.lower);
     add(upper_, tr("To"), shown.upper);
     auto* meaning = sentence(this, "axisMeaning", QMargins());
-    meaning->setText(tr("Empty: as the data are. Fit and Zoom back take the limits away."));
+    meaning->setText(tr("Empty: as the data are. Fit and Zoom back remove the limits."));
     fault_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     ok_ = buttons->button(QDialogButtonBox::Ok);

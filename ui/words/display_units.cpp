@@ -4,6 +4,7 @@
 #include "core/output/quantity_text.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,25 @@ QString powerOfTen(int exponent) {
     return text;
 }
 
+QString numberText(const QString& of_core) {
+    static const QRegularExpression number(
+        QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
+    const QRegularExpressionMatch match = number.match(of_core);
+    if (!match.hasMatch()) {
+        return of_core;
+    }
+    const QString power = match.captured(3).isEmpty()
+                              ? QString()
+                              : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
+    return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
+           groupedDigits(match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint())) +
+           power;
+}
+
+QString shortNumberText(double value, int digits) {
+    return numberText(QString::fromStdString(short_text(value, digits)));
+}
+
 QString siPrefix(int exponent) {
     static constexpr std::array<const char*, 10> prefixes{
         QT_TRANSLATE_NOOP("SiPrefix", "f"), QT_TRANSLATE_NOOP("SiPrefix", "p"),
@@ -70,17 +90,19 @@ QString siPrefix(int exponent) {
     return *prefix ? QCoreApplication::translate("SiPrefix", prefix) : QString();
 }
 
+QString secondsText(double seconds) {
+    const int place = seconds > 0 ? static_cast<int>(std::floor(std::log10(seconds))) : 0;
+    const int exponent = std::clamp(3 * static_cast<int>(std::floor(place / 3.)), -9, 0);
+    return numberLabel(seconds * std::pow(10., -exponent), std::max(0, 2 + exponent - place)) +
+           QLatin1Char(' ') + siPrefix(exponent) + unitText("s");
+}
+
 namespace {
 
 QString textOf(const QuantityText& quantity) {
-    const auto localised = [](const std::string& number) {
-        QString text = QString::fromStdString(number);
-        return groupedDigits(
-            text.replace('-', QChar(0x2212)).replace('.', QLocale().decimalPoint()));
-    };
-    QString text = localised(quantity.value);
+    QString text = numberText(QString::fromStdString(quantity.value));
     if (!quantity.sd.empty()) {
-        text += QStringLiteral(" ± ") + localised(quantity.sd);
+        text += QStringLiteral(" ± ") + numberText(QString::fromStdString(quantity.sd));
     }
     const auto power = [](int exponent) {
         return exponent == 0 ? QString() : QStringLiteral("·") + powerOfTen(exponent);
@@ -91,7 +113,8 @@ QString textOf(const QuantityText& quantity) {
     }
     return quantity.u.empty() ? text
                               : QStringLiteral("%1 (u %2)")
-                                    .arg(text, localised(quantity.u) + power(quantity.u_exponent));
+                                    .arg(text, numberText(QString::fromStdString(quantity.u)) +
+                                                   power(quantity.u_exponent));
 }
 
 struct Unit {
@@ -121,6 +144,16 @@ Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
         case Quantity::ratio: break;
     }
     return {};
+}
+
+// For lupdate: those that files name most.
+[[maybe_unused]] constexpr const char* units_of_files[] = {QT_TRANSLATE_NOOP("DisplayUnits", "V"),
+                                                           QT_TRANSLATE_NOOP("DisplayUnits", "mV")};
+
+// One that a file names, too: others than these are as they are.
+QString translatedUnit(const QString& unit) {
+    return unit.isEmpty() ? unit
+                          : QCoreApplication::translate("DisplayUnits", unit.toUtf8().constData());
 }
 
 }  // namespace
@@ -154,13 +187,19 @@ QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
            QString::fromUtf8(unit.behind);
 }
 
-QString displayUnit(SlowVariable variable, const DisplayUnits& units) {
+QString displayUnit(SlowVariable variable, const DisplayUnits& units, const QString& of_file) {
     const char* name = unitOf(variable, units).name;
-    return *name ? QCoreApplication::translate("DisplayUnits", name) : QString();
+    const bool amplitude = info(variable).quantity == Quantity::amplitude;
+    return translatedUnit(*name ? QString::fromUtf8(name) : amplitude ? of_file : QString());
 }
 
-bool takesPrefix(SlowVariable variable, const DisplayUnits& units) {
-    return unitOf(variable, units).takes_prefix;
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units, const QString& of_file) {
+    const Unit unit = unitOf(variable, units);
+    return *unit.name ? unit.takes_prefix : takesPrefix(displayUnit(variable, units, of_file));
+}
+
+bool takesPrefix(const QString& of_file) {
+    return of_file.size() == 1;
 }
 
 QString displayMeaning(SlowVariable variable) {
@@ -171,15 +210,15 @@ bool isWrapped(SlowVariable variable) {
     return variable == SlowVariable::delta_phi_CD || variable == SlowVariable::alpha;
 }
 
-QString noiseText(double sd) {
+QString threeDigits(double value) {
     constexpr int digits = 3;
-    if (!std::isfinite(sd) || sd <= 0) {
-        return valueText(sd, 0);
+    if (!std::isfinite(value) || value == 0) {
+        return valueText(value, 0);
     }
-    const double rounded = *parse_number(short_text(sd, digits));
+    const double rounded = *parse_number(short_text(value, digits));
     // The deviation whose only digit is in the place of the last one.
-    QuantityText quantity =
-        quantity_text(rounded, 3 * std::pow(10.0, std::floor(std::log10(rounded)) - (digits - 1)));
+    const double last = std::floor(std::log10(std::abs(rounded))) - (digits - 1);
+    QuantityText quantity = quantity_text(rounded, 3 * std::pow(10.0, last));
     quantity.sd.clear();
     return textOf(quantity);
 }
@@ -263,12 +302,21 @@ QString withUnit(const QString& name, const QString& unit) {
     return unit.isEmpty() ? name : QStringLiteral("%1, %2").arg(name, unit);
 }
 
-QString channelUnit(const Recording& recording) {
+QString commonUnit(const QStringList& units) {
+    return !units.isEmpty() && units.count(units.first()) == units.size() ? units.first()
+                                                                          : QString();
+}
+
+QString fileUnit(const Recording& recording) {
     const auto unit = [&](int channel) {
-        return recording.channels[static_cast<std::size_t>(channel - 1)].unit;
+        return QString::fromStdString(
+            recording.channels[static_cast<std::size_t>(channel - 1)].unit);
     };
-    const std::string of_c = unit(recording.channel_c);
-    return of_c == unit(recording.channel_d) ? QString::fromStdString(of_c) : QString();
+    return commonUnit({unit(recording.channel_c), unit(recording.channel_d)});
+}
+
+QString channelUnit(const Recording& recording) {
+    return translatedUnit(fileUnit(recording));
 }
 
 }  // namespace vybeg::ui

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <limits>
@@ -21,9 +22,18 @@ QString groupedDigits(const QString& number);
 QString numberLabel(double value, int decimals);
 // A number of things.
 QString countLabel(std::int64_t count);
+// A number as core/ writes it ("-2.03e+04", "12345.6"), so: "−2.03·10⁴", "12 345.6". Other texts as
+// they are.
+QString numberText(const QString& of_core);
+// With so many significant digits at most; numbers below a million have no power of ten for their
+// size.
+QString shortNumberText(double value, int digits);
 
 // "10⁻³".
 QString powerOfTen(int exponent);
+
+// A time with three digits: "2.72 ms".
+QString secondsText(double seconds);
 
 // The SI prefix of an exponent that is a multiple of 3 in [-15, 12], translated: "m" for -3.
 QString siPrefix(int exponent);
@@ -71,12 +81,14 @@ struct DisplayScale {
 DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, double f0_hz);
 
 // The head of a plot: the symbol (an underscore introduces an index), e.g. "ω_cp/2π", and the
-// unit, e.g. "Hz"; empty where there is none.
+// unit, e.g. "Hz", of amplitudes `of_file`, as their file names it; empty where there is none.
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units);
-QString displayUnit(SlowVariable variable, const DisplayUnits& units);
+QString displayUnit(SlowVariable variable, const DisplayUnits& units, const QString& of_file);
 
-// True where the unit takes SI prefixes (Hz, rad, V).
-bool takesPrefix(SlowVariable variable, const DisplayUnits& units);
+// True where the unit takes SI prefixes (Hz, rad, V); of a file, where it has one letter: a longer
+// name may have a prefix ("mV").
+bool takesPrefix(SlowVariable variable, const DisplayUnits& units, const QString& of_file);
+bool takesPrefix(const QString& of_file);
 
 // The variable's meaning in the interface's language.
 QString displayMeaning(SlowVariable variable);
@@ -84,14 +96,12 @@ QString displayMeaning(SlowVariable variable);
 // Angles of which only the value modulo one turn is stored: no curve joins pi to -pi.
 bool isWrapped(SlowVariable variable);
 
-// A standard deviation of noise, with the three digits that a recording's length gives it:
-// "0.000100".
-QString noiseText(double sd);
-
 // "0.9987 ± 0.0012": core/output/quantity_text.h with the default locale's decimal sign, a true
 // minus and digits in groups; "—" for NaN. With a combined uncertainty after it where that
 // differs: "1.00034 ± 0.00005 (u 0.0003)".
 QString valueText(double value, double sd, double u = std::numeric_limits<double>::quiet_NaN());
+// A measured value without a deviation, with three digits: "0.000100".
+QString threeDigits(double value);
 // The combined uncertainty by itself, in the digits it has in valueText(): "0.0003".
 QString uncertaintyLabel(double value, double sd, double u);
 // The same as valueText(), shorter: the deviation in units of the value's last digit, "0.9987(12)".
@@ -108,7 +118,11 @@ struct ResonatorWords {
 QString unitText(const char* unit);
 QString withUnit(const QString& name, const QString& unit);
 
-// The unit of both channels; empty where they have none, or two.
+// That of all of them; empty where they differ.
+QString commonUnit(const QStringList& units);
+// The unit of both channels as the file names it; empty where they have none, or two.
+QString fileUnit(const Recording& recording);
+// The same in the interface's language.
 QString channelUnit(const Recording& recording);
 
 }  // namespace vybeg::ui

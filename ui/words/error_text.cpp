@@ -1,11 +1,8 @@
 #include "ui/words/error_text.h"
 
-#include "core/base/number_text.h"
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
-#include <QLocale>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +16,6 @@ struct FindingWords {
     Q_DECLARE_TR_FUNCTIONS(Finding)
 };
 
-// A number as core/ writes it ("-2.03e+04"), with the interface's decimal sign, a minus and a power
-// of ten; "nan" and "inf" as they are.
-QString localised(const QString& text) {
-    static const QRegularExpression number(
-        QStringLiteral("^(-?)(\\d+(?:\\.\\d+)?)(?:e([-+]?\\d+))?$"));
-    const QRegularExpressionMatch match = number.match(text);
-    if (!match.hasMatch()) {
-        return text;
-    }
-    const QString power = match.captured(3).isEmpty()
-                              ? QString()
-                              : QStringLiteral("·") + powerOfTen(match.captured(3).toInt());
-    return (match.captured(1).isEmpty() ? QString() : QStringLiteral("−")) +
-           match.captured(2).replace(QLatin1Char('.'), QLocale().decimalPoint()) + power;
-}
-
 QString filled(const char* context, const std::string& text, const std::vector<MessageArg>& args);
 
 QString argText(const MessageArg& arg) {
@@ -42,7 +23,7 @@ QString argText(const MessageArg& arg) {
         case MessageArg::Kind::recording:
         case MessageArg::Kind::text: return QString::fromStdString(english(arg));
         case MessageArg::Kind::number: {
-            const QString number = localised(QString::fromStdString(arg.text));
+            const QString number = numberText(QString::fromStdString(arg.text));
             const QString unit = unitText(arg.unit.c_str());
             return number + QLatin1String(number.isEmpty() || unit.isEmpty() ? "" : " ") + unit;
         }
@@ -96,7 +77,7 @@ QString restText(const Finding& finding) {
             : finding.frames == 0
                 ? FindingWords::tr("(And %n more place(s).)", nullptr, others)
                 : FindingWords::tr("(And %n more place(s); %1 samples in all.)", nullptr, others)
-                      .arg(QLocale().toString(static_cast<qint64>(finding.frames))));
+                      .arg(countLabel(finding.frames)));
 }
 
 }  // namespace
@@ -141,10 +122,6 @@ QString reasonText(const Reason& reason) {
                      .replace(QLatin1String("theta_A"), QStringLiteral("θ_A"));
 }
 
-QString shortNumberText(double value, int digits) {
-    return localised(QString::fromStdString(short_text(value, digits)));
-}
-
 QString flagsText(Flags flags) {
     QStringList reasons;
     const auto add = [&](Flag flag, const QString& text) {
@@ -164,19 +141,6 @@ QString flagsText(Flags flags) {
     add(Flag::at_bound, FindingWords::tr("frequency at its bound"));
     return reasons.join(QStringLiteral("; "));
 }
-
-namespace {
-
-// Three digits: "2.72 ms".
-QString secondsText(double seconds) {
-    const bool short_time = seconds < 1;
-    const double shown = short_time ? 1e3 * seconds : seconds;
-    const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(shown))));
-    return numberLabel(shown, decimals) + QLatin1Char(' ') +
-           (short_time ? siPrefix(-3) : QString()) + unitText("s");
-}
-
-}  // namespace
 
 QString eventText(const Event& event) {
     const auto lasting = [&event](const QString& what) {

@@ -27,9 +27,6 @@ QStringList worstOf(QStringList sentences);
 // Empty for a number that is given.
 QString reasonText(const Reason& reason);
 
-// A number with so many digits, as in these sentences: "2.03·10⁴".
-QString shortNumberText(double value, int digits);
-
 // Why a window's value is missing or doubtful, e.g. "samples are missing"; empty without a reason.
 QString flagsText(Flags flags);
 

@@ -165,6 +165,15 @@ private slots:
         QCOMPARE(valueText(499511.04, 2.2), QStringLiteral("499\u202f511.0 ± 2.2"));
     }
 
+    void a_number_of_core_has_no_exponent_of_programs() {
+        QCOMPARE(shortNumberText(499511, 3), QStringLiteral("500\u202f000"));
+        QCOMPARE(shortNumberText(120, 2), QStringLiteral("120"));
+        QCOMPARE(shortNumberText(-2.034e7, 3), QStringLiteral("−2.03·10⁷"));
+        QCOMPARE(shortNumberText(1.24e-5, 2), QStringLiteral("1.2·10⁻⁵"));
+        QCOMPARE(numberText(QStringLiteral("12345.6")), QStringLiteral("12\u202f345.6"));
+        QCOMPARE(numberText(QStringLiteral("run 1e+05")), QStringLiteral("run 1e+05"));
+    }
+
     void nothing_is_minus_zero() {
         QCOMPARE(numberLabel(-1e-12, 2), QStringLiteral("0.00"));
         QCOMPARE(numberLabel(-0.0, 0), QStringLiteral("0"));
@@ -173,11 +182,13 @@ private slots:
     void a_value_is_rounded_to_its_deviation() {
         QCOMPARE(valueText(5300.012345, 0.0012), QStringLiteral("5300.0123 ± 0.0012"));
         QCOMPARE(valueText(2e-6, 1.5e-7), QStringLiteral("(2.00 ± 0.15)·10⁻⁶"));
-        QCOMPARE(noiseText(1.00121e-4), QStringLiteral("0.000\u202f100"));
-        QCOMPARE(noiseText(9.998e-5), QStringLiteral("0.000\u202f100"));
-        QCOMPARE(noiseText(9.994e-5), QStringLiteral("9.99·10⁻⁵"));
-        QCOMPARE(noiseText(12.0), QStringLiteral("12.0"));
-        QCOMPARE(noiseText(NAN), QStringLiteral("—"));
+        QCOMPARE(threeDigits(1.00121e-4), QStringLiteral("0.000\u202f100"));
+        QCOMPARE(threeDigits(9.998e-5), QStringLiteral("0.000\u202f100"));
+        QCOMPARE(threeDigits(9.994e-5), QStringLiteral("9.99·10⁻⁵"));
+        QCOMPARE(threeDigits(12.0), QStringLiteral("12.0"));
+        QCOMPARE(threeDigits(-0.0213456), QStringLiteral("−0.0213"));
+        QCOMPARE(threeDigits(0), QStringLiteral("0"));
+        QCOMPARE(threeDigits(NAN), QStringLiteral("—"));
         QCOMPARE(valueText(NAN, 1), QStringLiteral("—"));
         QCOMPARE(valueText(0.25, NAN), QStringLiteral("0.25"));
     }
@@ -187,6 +198,10 @@ private slots:
         QCOMPARE(gap(0.0027213), QStringLiteral("Samples are missing, 2.72 ms"));
         QCOMPARE(gap(1.8), QStringLiteral("Samples are missing, 1.80 s"));
         QCOMPARE(gap(1234.5), QStringLiteral("Samples are missing, 1235 s"));
+        QCOMPARE(secondsText(2.7e-5), QStringLiteral("27.0 µs"));
+        QCOMPARE(secondsText(0.999), QStringLiteral("999 ms"));
+        QCOMPARE(secondsText(18000), QStringLiteral("18\u202f000 s"));
+        QCOMPARE(secondsText(0), QStringLiteral("0.00 s"));
         QCOMPARE(gap(0), QStringLiteral("Samples are missing"));  // of one window
         QCOMPARE(eventText({std::nullopt, 1, 0, -1, 1}),
                  QStringLiteral("2θ_A passes −90°, rising"));
@@ -238,7 +253,19 @@ private slots:
         // Against the difference quotient.
         const double slope = (scale.value(0.5 + 1e-6) - scale.value(0.5 - 1e-6)) / 2e-6;
         VYBEG_CLOSE(scale.sd(0.5, 0.01), 0.01 * slope, 1e-8);
-        QCOMPARE(displayUnit(SlowVariable::a_A, units), QStringLiteral("dB"));
+        QCOMPARE(displayUnit(SlowVariable::a_A, units, "V"), QStringLiteral("dB"));
+        QVERIFY(!takesPrefix(SlowVariable::a_A, units, "V"));
+    }
+
+    void an_amplitude_has_the_unit_of_its_file() {
+        const DisplayUnits units;
+        QCOMPARE(displayUnit(SlowVariable::a_B, units, "V"), QStringLiteral("V"));
+        QVERIFY(takesPrefix(SlowVariable::a_B, units, "V"));
+        QVERIFY(!takesPrefix(SlowVariable::a_B, units, "mV"));
+        QCOMPARE(displayUnit(SlowVariable::f, units, "V"), QStringLiteral("Hz"));
+        QVERIFY(takesPrefix(SlowVariable::f, units, "mV"));
+        QCOMPARE(commonUnit({"V", "V"}), QStringLiteral("V"));
+        QCOMPARE(commonUnit({"V", "mV"}), QString());
     }
 };
 

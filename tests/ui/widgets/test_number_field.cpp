@@ -103,6 +103,28 @@ private slots:
         QVERIFY(field.isValid() && field.fault().isEmpty());
     }
 
+    void no_number_has_a_power_of_ten() {
+        NumberField field;
+        for (const auto& [value, text] :
+             {std::pair{1e-5, "0.00001"}, std::pair{-1.25e-7, "-0.000000125"},
+              std::pair{1e12, "1000000000000"}, std::pair{155555., "155555"}}) {
+            field.setValue(value);
+            QCOMPARE(field.text(), QLatin1String(text));
+        }
+    }
+
+    void a_limit_has_no_power_of_ten() {
+        NumberField field;
+        field.setLimits(1e-6, 1e9);
+        field.setValue(1);
+        for (const auto& [text, refusal] : {std::pair{"1e10", "At most 1 000 000 000 is possible."},
+                                            std::pair{"0", "At least 0.000 001 is needed."}}) {
+            field.selectAll();
+            QTest::keyClicks(&field, QLatin1String(text) + QLatin1Char('\r'));
+            QCOMPARE(field.fault().replace(QChar(0x202f), ' '), QLatin1String(refusal));
+        }
+    }
+
     void what_is_being_typed_stays_as_long_as_the_value_is_the_same() {
         NumberField field;
         field.setValue(60);

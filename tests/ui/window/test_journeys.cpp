@@ -8,7 +8,9 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/resonator/dossier_dialogs.h"
+#include "ui/session/session_keeper.h"
 #include "ui/widgets/quantity_table.h"
+#include "ui/window/export_dialogs.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
@@ -16,8 +18,16 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QTest>
 #include <QTextBrowser>
@@ -56,8 +66,44 @@ class TestJourneys : public QObject, private WindowTest {
         }
         return false;
     }
-    static void type(QWidget& window, const char* text) {
+    static void type(QWidget& window, const QString& text) {
         QTest::keyClicks(window.focusWidget(), text);
+    }
+    // Clicks on the menu that has the command, and on its entry.
+    void choose(Command command) {
+        QAction* const wanted = window_->action(command);
+        auto& bar = the<QMenuBar>();
+        for (QAction* top : bar.actions()) {
+            if (top->menu()->actions().contains(wanted)) {
+                QTest::mouseClick(&bar, Qt::LeftButton, {}, bar.actionGeometry(top).center());
+                QTRY_VERIFY(top->menu()->isVisible());
+                QTest::mouseClick(top->menu(), Qt::LeftButton, {},
+                                  top->menu()->actionGeometry(wanted).center());
+                QVERIFY(!top->menu()->isVisible());
+                return;
+            }
+        }
+        QFAIL("no menu has the command");
+    }
+    // The answer to the question for a file, typed.
+    void answer(const QString& path) {
+        QTRY_VERIFY(window_->findChild<QFileDialog*>() && the<QFileDialog>().isVisible());
+        auto& dialog = the<QFileDialog>();
+        QApplication::setActiveWindow(&dialog);
+        QVERIFY(reach(dialog, [](const QWidget& widget) {
+            return widget.objectName() == QLatin1String("fileNameEdit");
+        }));
+        qobject_cast<QLineEdit*>(dialog.focusWidget())->selectAll();
+        type(dialog, path);
+        QTest::keyClick(dialog.focusWidget(), Qt::Key_Return);
+        QTRY_VERIFY(QFile::exists(path));
+        QApplication::setActiveWindow(window_.get());
+    }
+    static std::function<bool(const QWidget&)> buttonOf(const char* words) {
+        return [words](const QWidget& widget) {
+            const auto* button = qobject_cast<const QPushButton*>(&widget);
+            return button && button->text().remove('&').startsWith(QLatin1String(words));
+        };
     }
 
 private slots:
@@ -93,6 +139,68 @@ private slots:
                 .isEmpty();
         };
         QTRY_VERIFY(seen());
+    }
+
+    // The same four with a mouse: files dropped, two entries of menus, a field and its OK.
+    void from_four_files_to_a_verdict_by_mouse() {
+        QVERIFY(dropFiles(*window_, files_));  // 1
+        QVERIFY(QTest::qWaitFor(
+            [&] { return document().analyses().size() == 4 && !document().busy(); }, 20000));
+        choose(Command::identify);  // 2
+        QVERIFY(QTest::qWaitFor([&] { return !document().busy(); }, 60000));
+        QCOMPARE(the<PageStack>().page(), Page::resonator);
+        choose(Command::limits);  // 3
+        auto& dialog = the<LimitsDialog>();
+        QApplication::setActiveWindow(&dialog);
+        auto& field = childOf<NumberField>(dialog, "split_hz.upper");
+        QTest::mouseClick(&field, Qt::LeftButton);
+        QVERIFY(field.hasFocus());
+        QTest::keyClicks(&field, "20");
+        QTest::mouseClick(childOf<QDialogButtonBox>(dialog).button(QDialogButtonBox::Ok),
+                          Qt::LeftButton);  // 4
+        QTRY_VERIFY(cellOf("resonator", "Frequency split", "Limits"));
+        QCOMPARE(cellOf("resonator", "Frequency split", "Limits")->text(),
+                 QStringLiteral("✓ ≤ 20"));
+    }
+
+    // A session is saved, its plots are exported, and what a crash has left is recovered.
+    void nothing_is_lost_by_keyboard_alone() {
+        open({files_[0]});
+        press(Qt::Key_S, Qt::ControlModifier);
+        answer(home_.path("kept.vybeg"));
+        QTRY_VERIFY(!window_->session().isModified());
+        press(Qt::Key_E, Qt::ControlModifier);
+        {
+            auto& dialog = the<ExportDialog>();
+            QApplication::setActiveWindow(&dialog);
+            QVERIFY(reach(dialog, buttonOf("Save")));
+            QTest::keyClick(dialog.focusWidget(), Qt::Key_Space);
+            answer(home_.path("kept.png"));
+        }
+        QTRY_VERIFY(!window_->findChild<ExportDialog*>());
+
+        // The copy against crashes without the lock of its program, as a crash leaves it.
+        const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                          "/backups");
+        const QString left = copies.filePath("zz-left.vybeg");
+        const auto copied = [&] {
+            QFile::remove(left);
+            const QStringList all = copies.entryList({"*.vybeg"}, QDir::Files);
+            return std::ranges::any_of(all, [&](const QString& name) {
+                QFile copy(copies.filePath(name));
+                return copy.open(QIODevice::ReadOnly) &&
+                       copy.readAll().contains(home_.path("kept.vybeg").toUtf8()) &&
+                       copy.copy(left);
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(copied(), 20000);
+        window_.reset();
+        init();
+        window_->session().offerAbandoned();
+        QVERIFY(reach(*window_, buttonOf("Recover")));
+        QTest::keyClick(window_->focusWidget(), Qt::Key_Space);
+        QVERIFY(idle(1));
+        QTRY_VERIFY(!QFile::exists(left));
     }
 
     // Analyse, measure, copy, scale, identify, undo.

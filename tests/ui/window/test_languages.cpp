@@ -5,6 +5,7 @@
 #include "ui/import/import_dialog.h"
 #include "ui/window/file_commands.h"
 #include "ui/window/main_window.h"
+#include "ui/window/page_stack.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -52,7 +53,7 @@ QStringList textsOf(const QWidget& widget) {
     } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
         texts << button->text();
     } else if (const auto* edit = qobject_cast<const QLineEdit*>(&widget)) {
-        texts << edit->placeholderText() << widget.property("unit").toString();
+        texts << edit->text() << edit->placeholderText() << widget.property("unit").toString();
     } else if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) {
         texts << box->title();
     } else if (const auto* menu = qobject_cast<const QMenu*>(&widget)) {
@@ -206,6 +207,43 @@ private slots:
         window.setLanguage("en");
         open_imports();
         QTRY_COMPARE(foreignTexts(QRegularExpression("[А-Яа-яЁё]+")), QStringList());
+    }
+
+    // "5e+05" is how programs write a number: a power of ten is "·10⁵".
+    void no_number_has_an_exponent_of_programs() {
+        TestWindow window;
+        window.setLanguage("en");
+        window.show();
+        Document& document = window.document();
+        FreeDecay decay;
+        decay.rate_hz = 50000;
+        decay.seconds = 4;
+        const QStringList files{home_.recording("long.wav", decay),
+                                home_.recording("short.wav", decay)};
+        document.open(files);
+        const auto idle = [&] { return QTest::qWaitFor([&] { return !document.busy(); }, 60000); };
+        QVERIFY(QTest::qWaitFor([&] { return document.analyses().size() == 2; }, 20000) && idle());
+        window.action(Command::identify)->trigger();
+        QVERIFY(idle());
+        Settings settings = document.settings();
+        settings.window = 155555;
+        settings.hop = 1'000'000;
+        settings.calibration.kappa = 1.00000012;
+        settings.calibration.delay_d_s = 1e-11;
+        document.setSettings(settings);
+        Tolerance tolerance;
+        tolerance[crosstalk_error] = tolerance[gain_drift_error] = 1e-5;
+        tolerance[kappa_error] = 3e-7;
+        document.setTolerance(tolerance);
+        QVERIFY(idle());
+        for (const char* language : {"en", "ru"}) {
+            window.setLanguage(language);
+            for (int page = 0; page <= static_cast<int>(Page::history); ++page) {
+                childOf<PageStack>(window).showPage(static_cast<Page>(page));
+                QTRY_COMPARE(foreignTexts(QRegularExpression("[0-9][eE][+-]?[0-9]+")),
+                             QStringList());
+            }
+        }
     }
 
     void a_letter_opens_one_entry_of_a_menu_data() {

@@ -258,6 +258,56 @@ private slots:
         QVERIFY(!ledger().tableText().contains("B = 7"));
     }
 
+    void a_unit_that_the_file_names_stands_in_the_ledger_and_its_table() {
+        QFile plain(home_.recording("plain.csv"));
+        QVERIFY(plain.open(QIODevice::ReadOnly));
+        const QByteArray rows = plain.readAll();
+        window_->document().open(
+            {home_.file("volts.csv", "t [s],C [V],D [V]\n" + rows.mid(rows.indexOf('\n') + 1))});
+        QVERIFY(idle(2));
+        const auto head = [this](SlowVariable variable) {
+            return ledger().headerItem()->text(ledger().columnOf(variable));
+        };
+        // The other recording has none.
+        QVERIFY2(!head(SlowVariable::a_A).endsWith('V'), qPrintable(head(SlowVariable::a_A)));
+        window_->document().setAnalysisVisible(window_->document().analyses().front().shown.id,
+                                               false);
+        QVERIFY2(head(SlowVariable::a_A).endsWith('V'), qPrintable(head(SlowVariable::a_A)));
+        QVERIFY2(head(SlowVariable::a_B).endsWith('V'), qPrintable(head(SlowVariable::a_B)));
+        QVERIFY(!head(SlowVariable::two_theta_A).endsWith('V'));
+        QVERIFY(ledger().tableText().contains(", V\t"));
+    }
+
+    void a_recording_tells_its_set_where_there_are_two() {
+        window_->document().open({home_.recording("other.wav")});
+        QVERIFY(idle(2));
+        SetStore& sets = window_->document().sets();
+        const auto told = [this](int row) {
+            return ledger().topLevelItem(row)->toolTip(Ledger::name).contains("Set: ");
+        };
+        while (!sets.all().empty()) {
+            sets.remove(sets.all().front().id);
+        }
+        sets.add({ids()[0]});
+        QVERIFY(!told(0) && !told(1));
+        const int narrow = ledger().columnWidth(Ledger::name);
+        sets.rename(sets.add({ids()[1]}), "the other one");
+        QVERIFY(!told(0) && told(1));  // the first set has the name of its recording
+        QVERIFY(ledger().topLevelItem(1)->toolTip(Ledger::name).contains("the other one"));
+        VYBEG_MORE(ledger().columnWidth(Ledger::name), narrow);  // it stands beside the name
+        QVERIFY(!ledger().topLevelItem(1)->text(Ledger::name).contains("the other one"));
+    }
+
+    void without_a_mouse_the_first_windows_are_read() {
+        const auto& first = childOf<QToolButton>(ledger(), "readMouse");
+        ledger().setMouse(0.5);
+        QCOMPARE(first.text(), QStringLiteral("mouse"));
+        const int width = first.width();
+        ledger().setMouse(std::nullopt);
+        QCOMPARE(first.text(), QStringLiteral("start"));
+        QCOMPARE(first.width(), width);
+    }
+
     void a_hidden_run_is_not_measured() {
         setCursors(0.5, 1.5);
         window_->document().setAnalysisVisible(window_->document().analyses().front().shown.id,
