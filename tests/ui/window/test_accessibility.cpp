@@ -21,6 +21,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QStyleOption>
 #include <QTabBar>
 #include <QTableView>
@@ -103,8 +104,11 @@ QStringList cutCells(const QAbstractItemView& view) {
     const auto* table = qobject_cast<const QTableView*>(&view);
     const auto* tree = qobject_cast<const QTreeView*>(&view);
     const QAbstractItemModel& model = *view.model();
+    // Sentences wrap, numbers do not.
     const auto narrow = [&](const QString& text, double room) {
-        const QStringList parts = wraps ? text.split(QLatin1Char(' ')) : QStringList{text};
+        static const QRegularExpression word(QStringLiteral("\\p{L}{2}"));
+        const bool sentence = wraps && text.contains(word);
+        const QStringList parts = sentence ? text.split(QLatin1Char(' ')) : QStringList{text};
         return std::ranges::any_of(
             parts, [&](const QString& part) { return indexTextWidth(part, view.font()) > room; });
     };
