@@ -2,6 +2,7 @@
 // cut off, in both languages at the smallest size the program is made for.
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
+#include "tests/ui/resonator_runs.h"
 #include "ui/batch/batch_window.h"
 #include "ui/charts/round_plot.h"
 #include "ui/plots/plot_view.h"
