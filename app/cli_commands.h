@@ -55,8 +55,8 @@ struct SimulateRequest {
     std::string output;
     std::string truth;  // empty: none
     FreeDecay decay;
-    std::int64_t window = 60;  // of the truth
-    LockIn lock_in;            // order 0: none
+    std::int64_t window = WindowSettings().window;  // of the truth
+    LockIn lock_in;                                 // order 0: none
     double lock_in_rate_hz = 0;
 };
 

@@ -94,7 +94,8 @@ void add_simulate_options(CLI::App& app, SimulateRequest& request) {
         ->required();
     add_text(app, "--truth", "FILE", request.truth,
              "The true track, as that of analyze; - for standard output");
-    add_value(app, "--window", "N", "Window of the truth, samples (default 60)",
+    add_value(app, "--window", "N",
+              "Window of the truth, samples (default " + integer_text(request.window) + ")",
               [&request](const auto& option, const auto& text) {
                   request.window = accepted(read_whole(option, text));
               });

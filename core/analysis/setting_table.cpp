@@ -318,7 +318,7 @@ Rows<Settings> rows_of_analysis() {
     };
     Rows<Settings> rows{algorithm_row()};
     add(window_rows<WindowSettings>(
-            "Window length, samples (default 60)",
+            "Window length, samples (default " + integer_text(WindowSettings().window) + ")",
             {5, most_samples, "it must be 5 to 1e15 samples: there are five parameters"}),
         whole, rows);
     rows.push_back(

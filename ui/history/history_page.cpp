@@ -260,37 +260,35 @@ void HistoryPage::showHistory() {
     content_->setVisible(hasResults());
     static_cast<QVBoxLayout*>(layout())->setStretchFactor(state_, hasResults() ? 0 : 1);
     if (!history_) {
-        for (XYPlotView* plot : {values_.plot, ranges_.plot, average_.plot, distribution_}) {
+        for (XYPlotView* plot : findChildren<XYPlotView*>()) {
             plot->setContent({});
         }
         emit figuresChanged();
         return;
     }
     const HistoryView now = view();
-    values_.shown = valuesPlot(now);
-    values_.shown.plot.y_range = wholeRange(now, values_.shown.plot);
-    ranges_.shown = rangesPlot(now);
-    average_.shown = averagePlot(now);
-    // One axis for all three, but for the frequency, where the lower two are sequences. These are
-    // low and have no legend: dashed are limits, as above.
-    for (Chart* below : {&ranges_, &average_}) {
-        XYPlot& plot = below->shown.plot;
-        if (now.axis != HistoryAxis::frequency) {
-            plot.x_range = shownPlaces(values_.shown.plot);
+    // One axis for all, but for the frequency, where the lower ones are sequences. These are low
+    // and have no legend: dashed are limits, as above.
+    for (Chart& chart : plots_) {
+        chart.shown = chart.plotOf(now);
+        XYPlot& plot = chart.shown.plot;
+        if (&chart == &values()) {
+            plot.y_range = wholeRange(now, plot);
+        } else {
+            if (now.axis != HistoryAxis::frequency) {
+                plot.x_range = shownPlaces(values().shown.plot);
+            }
+            std::ranges::for_each(plot.series, [](XYSeries& series) { series.name.clear(); });
+            plot.x_below = &chart != &plots_.back();
+            chart.plot->setVisible(charts_.one_gyro);
         }
-        std::ranges::for_each(plot.series, [](XYSeries& series) { series.name.clear(); });
-    }
-    ranges_.shown.plot.x_below = true;
-    for (const Chart* chart : {&values_, &ranges_, &average_}) {
-        chart->plot->setContent(chart->shown.plot);
-        chart->plot->setPickable(0);
-        chart->plot->setPointTips([this, &points = chart->shown.points](std::size_t place) {
+        chart.plot->setContent(plot);
+        chart.plot->setPickable(0);
+        chart.plot->setPointTips([this, &points = chart.shown.points](std::size_t place) {
             return place < points.size() ? richTip(pointText(view(), points[place])) : QString();
         });
     }
     showDistribution();
-    ranges_.plot->setVisible(charts_.one_gyro);
-    average_.plot->setVisible(charts_.one_gyro);
     // A click on a name chooses its result.
     QString verdict = richText(verdictText(now));
     const bool judged = charts_.one_gyro && charts_.control.fault != BaselineFault::too_few;
@@ -312,8 +310,8 @@ void HistoryPage::showHistory() {
 
 // Its frame begins as high as that of the values.
 void HistoryPage::showDistribution() {
-    XYPlot plot = besideValues(distributionPlot(view()), values_.shown.plot);
-    plot.least_head = values_.plot->head();
+    XYPlot plot = besideValues(distributionPlot(view()), values().shown.plot);
+    plot.least_head = values().plot->head();
     distribution_->setContent(plot);
 }
 
@@ -367,14 +365,14 @@ void HistoryPage::choose(const HistoryPlot& shown, int place) {
 
 // To the neighbour on the axis of the values.
 void HistoryPage::step(int by) {
-    const auto& points = values_.shown.points;
+    const auto& points = values().shown.points;
     if (points.empty()) {
         return;
     }
     const auto now = chosen_ ? std::ranges::find(points, *chosen_) : points.end();
     const auto place = now == points.end() ? (by > 0 ? 0 : std::ssize(points) - 1)
                                            : std::distance(points.begin(), now) + by;
-    choose(values_.shown,
+    choose(values().shown,
            static_cast<int>(std::clamp(place, std::ptrdiff_t{0}, std::ssize(points) - 1)));
 }
 
@@ -442,8 +440,11 @@ FigureSource HistoryPage::figures() const {
     }
     const QString parameter = indexPlain(shownIn(view()).title);
     const auto gyro = choices_->gyro();
+    std::vector<const XYPlotView*> plots;
+    std::ranges::transform(plots_, std::back_inserter(plots), &Chart::plot);
+    plots.push_back(distribution_);
     return figuresOf(
-        {values_.plot, ranges_.plot, average_.plot, distribution_}, QStringLiteral("history"),
+        plots, QStringLiteral("history"),
         gyro ? QStringLiteral("%1: %2").arg(QString::fromStdString(*gyro), parameter) : parameter);
 }
 
@@ -476,12 +477,14 @@ QWidget* HistoryPage::buildContent() {
     });
     point_ = sentence(content, "historyPoint", QMargins());
     recordings_ = withName(new QPushButton(content), "historyRecordings");
-    values_.plot = addPlot("historyValues", values_height);
-    ranges_.plot = addPlot("historyRanges", ranges_height);
-    average_.plot = addPlot("historyAverage", average_height);
+    plots_ = {
+        {valuesPlot, QT_TR_NOOP("Values of the parameter"),
+         addPlot("historyValues", values_height)},
+        {rangesPlot, QT_TR_NOOP("Moving range"), addPlot("historyRanges", ranges_height)},
+        {averagePlot, QT_TR_NOOP("Weighted average"), addPlot("historyAverage", average_height)}};
     distribution_ = addPlot("historyDistribution", values_height);
     distribution_->setFixedWidth(distribution_width);
-    whenChanged(*values_.plot, {QEvent::Resize}, [this] {
+    whenChanged(*values().plot, {QEvent::Resize}, [this] {
         if (history_) {
             showDistribution();
         }
@@ -489,16 +492,14 @@ QWidget* HistoryPage::buildContent() {
     // The charts over each other, on one axis; beside them the distribution and the chosen result.
     auto* grid = new QGridLayout;
     grid->setSpacing(4);
-    grid->addWidget(values_.plot, 0, 0);
-    grid->addWidget(distribution_, 0, 1);
-    grid->addWidget(ranges_.plot, 1, 0);
-    grid->addWidget(average_.plot, 2, 0);
-    grid->addLayout(fill(new QVBoxLayout, {point_, {recordings_, 0, Qt::AlignLeft}, LayoutPart(1)}),
-                    1, 1, 2, 1);
-    grid->setColumnStretch(0, 1);
-    for (const auto& [row, share] : {std::pair(0, 6), std::pair(1, 2), std::pair(2, 2)}) {
-        grid->setRowStretch(row, share);
+    for (int row = 0; row < std::ssize(plots_); ++row) {
+        grid->addWidget(plots_[row].plot, row, 0);
+        grid->setRowStretch(row, row == 0 ? 6 : 2);
     }
+    grid->addWidget(distribution_, 0, 1);
+    grid->addLayout(fill(new QVBoxLayout, {point_, {recordings_, 0, Qt::AlignLeft}, LayoutPart(1)}),
+                    1, 1, -1, 1);
+    grid->setColumnStretch(0, 1);
     fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {verdict_, {grid, 1}});
     return content;
 }
@@ -514,12 +515,12 @@ void HistoryPage::connectWidgets() {
     connect(choices_, &HistoryChoices::dataWanted, this, &HistoryPage::read);
     connect(choices_, &HistoryChoices::axisChanged, this, &HistoryPage::showHistory);
     connect(choices_, &HistoryChoices::limitsChanged, this, &HistoryPage::compute);
-    for (const Chart* chart : {&values_, &ranges_, &average_}) {
-        connect(chart->plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
-        connect(chart->plot, &XYPlotView::pointClicked, this,
-                [this, chart](int place) { choose(chart->shown, place); });
-        connect(chart->plot, &XYPlotView::pointActivated, this, [this, chart](int place) {
-            choose(chart->shown, place);
+    for (const Chart& chart : plots_) {
+        connect(chart.plot, &XYPlotView::stepWanted, this, &HistoryPage::step);
+        connect(chart.plot, &XYPlotView::pointClicked, this,
+                [this, &chart](int place) { choose(chart.shown, place); });
+        connect(chart.plot, &XYPlotView::pointActivated, this, [this, &chart](int place) {
+            choose(chart.shown, place);
             openChosen();
         });
     }
@@ -544,15 +545,13 @@ void HistoryPage::retranslate() {
     recordings_->setToolTip(
         richTip(tr("As a set, with the settings and conditions of the result; a double click on "
                    "the point does the same")));
-    values_.plot->setAccessibleName(tr("Values of the parameter"));
-    ranges_.plot->setAccessibleName(tr("Moving range"));
-    average_.plot->setAccessibleName(tr("Weighted average"));
     distribution_->setAccessibleName(tr("Distribution of the parameter"));
     const QString tip =
         richTip(tr("A click chooses a result, a double click opens its recordings; "
                    "Left and Right go to its neighbours"));
-    for (const Chart* chart : {&values_, &ranges_, &average_}) {
-        chart->plot->setToolTip(tip);
+    for (const Chart& chart : plots_) {
+        chart.plot->setAccessibleName(tr(chart.name));
+        chart.plot->setToolTip(tip);
     }
     distribution_->setToolTip(richTip(tr("How often each value occurs among the results shown")));
     showHistory();

@@ -82,8 +82,10 @@ signals:
 
 private:
     struct Chart {
+        HistoryPlot (*plotOf)(const HistoryView& view) = nullptr;
+        const char* name = nullptr;
         XYPlotView* plot = nullptr;
-        HistoryPlot shown;
+        HistoryPlot shown{};
     };
 
     QLayout* buildHead();
@@ -100,6 +102,7 @@ private:
     void refresh();
     // Precondition: there is a history.
     HistoryView view() const;
+    const Chart& values() const { return plots_.front(); }
     bool hasResults() const { return history_ && !history_->gyros.empty(); }
     QString stateText() const;
     // `place`: of a point in the plot.
@@ -130,9 +133,7 @@ private:
     QLabel* verdict_ = nullptr;
     QLabel* point_ = nullptr;
     QPushButton* recordings_ = nullptr;
-    Chart values_;
-    Chart ranges_;
-    Chart average_;
+    std::vector<Chart> plots_;  // from top to bottom, first that of the values
     XYPlotView* distribution_ = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/plots/plot_view.h"
 
+#include "ui/plots/time_stack.h"
 #include "ui/widgets/page_parts.h"
 
 #include <QAction>

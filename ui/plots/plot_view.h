@@ -2,6 +2,7 @@
 
 #include "ui/plots/plot_file.h"
 #include "ui/plots/xy_plot.h"
+#include "ui/values/ids.h"
 #include "ui/widgets/theme.h"
 #include "ui/words/display_units.h"
 
@@ -109,6 +110,7 @@ public:
 
     virtual FigureSource figures() const { return {}; }
     virtual void setUnits(const DisplayUnits& units);
+    virtual void setAnalysis(AnalysisId /*chosen*/) {}
 
 signals:
     void exportWanted(const Figure& figure);

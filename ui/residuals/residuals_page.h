@@ -35,7 +35,7 @@ public:
     // `tracks` has the visible part and the cursor.
     ResidualsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
-    void setAnalysis(AnalysisId id);
+    void setAnalysis(AnalysisId id) override;
     // The residuals on the page; null until they are computed.
     const Residuals* residuals() const { return found_ ? &*found_ : nullptr; }
     bool computing() const { return computing_; }

@@ -64,7 +64,7 @@ public:
     // `tracks` outlives the page's work.
     SignalsPage(Document& document, TrackView& tracks, QWidget* parent = nullptr);
 
-    void setAnalysis(AnalysisId id);
+    void setAnalysis(AnalysisId id) override;
     // Whether the wave of the analysis is drawn over the samples.
     void setWave(bool shown);
     // Draws the cursors again.

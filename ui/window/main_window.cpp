@@ -159,11 +159,15 @@ void MainWindow::buildPages() {
     tracks_ = &tracks_page_->tracks();
     signals_ = new SignalsPage(document_, *tracks_, this);
     resonator_ = new ResonatorPage(document_, this);
-    residuals_ = new ResidualsPage(document_, *tracks_, this);
-    sweep_ = new SweepPage(document_, this);
     drift_ = new DriftPage(document_, this);
     history_ = new HistoryPage(document_, this);
-    all_pages_ = {tracks_page_, signals_, residuals_, sweep_, resonator_, drift_, history_};
+    all_pages_ = {tracks_page_,
+                  signals_,
+                  new ResidualsPage(document_, *tracks_, this),
+                  new SweepPage(document_, this),
+                  resonator_,
+                  drift_,
+                  history_};
     pages_ = new PageStack(welcome_, this);
     std::ranges::for_each(all_pages_, [this](MeasuredPage* page) { pages_->add(page); });
     settings_ = new SettingsPanel(document_, this);
@@ -407,9 +411,7 @@ void MainWindow::showAnalysis(AnalysisId id) {
     overview_->flag().setAnalysis(id);
     showTimes();
     wave_->setAnalysis(id);
-    tracks_page_->chooseAnalysis(id);
-    signals_->setAnalysis(id);
-    residuals_->setAnalysis(id);
+    std::ranges::for_each(all_pages_, [id](MeasuredPage* page) { page->setAnalysis(id); });
 }
 
 void MainWindow::setUnits(const DisplayUnits& units) {

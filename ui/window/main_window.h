@@ -29,13 +29,11 @@ class HistoryPage;
 class Ledger;
 class MessageBar;
 class Overview;
-class ResidualsPage;
 class ResonatorPage;
 class SessionKeeper;
 class SettingsPanel;
 class SignalsPage;
 class StatusLine;
-class SweepPage;
 class TrackView;
 class TracksPage;
 class WavePanel;
@@ -112,8 +110,6 @@ private:
     TracksPage* tracks_page_ = nullptr;
     TrackView* tracks_ = nullptr;  // of the page
     SignalsPage* signals_ = nullptr;
-    ResidualsPage* residuals_ = nullptr;
-    SweepPage* sweep_ = nullptr;
     DriftPage* drift_ = nullptr;
     HistoryPage* history_ = nullptr;
     std::vector<MeasuredPage*> all_pages_;  // as Page

@@ -115,7 +115,7 @@ void TracksPage::nameLogs() {
     logs_->setVisible(!names.isEmpty());
 }
 
-void TracksPage::chooseAnalysis(AnalysisId id) {
+void TracksPage::setAnalysis(AnalysisId id) {
     if (id != chosen_) {
         chosen_ = id;
         showAnalyses();

@@ -28,7 +28,7 @@ public:
     const LogTracks& logTracks() const { return log_tracks_; }
     // The analysis whose axis crossings are marked, and which is drawn alone where others are
     // unlike it.
-    void chooseAnalysis(AnalysisId id);
+    void setAnalysis(AnalysisId id) override;
     // Centres the present zoom on an event, wide enough to see it from both sides.
     void goToEvent(double time_s, double seconds);
     void setUnits(const DisplayUnits& units) override;
