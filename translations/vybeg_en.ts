@@ -241,5 +241,12 @@
                 <numerusform>A session was not closed, and can be recovered: %1, %n recordings, %2.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>Session %1 of %2 that were not closed: %3, %n recording(s), %4.</source>
+            <translation>
+                <numerusform>Session %1 of %2 that were not closed: %3, %n recording, %4.</numerusform>
+                <numerusform>Session %1 of %2 that were not closed: %3, %n recordings, %4.</numerusform>
+            </translation>
+        </message>
     </context>
 </TS>

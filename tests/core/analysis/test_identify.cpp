@@ -140,15 +140,18 @@ private slots:
             VYBEG_CLOSE_RATIO(std::sqrt(squares), row.combined, 1e-6);
         }
         VYBEG_CLOSE_RATIO(budget.front().shares[rate_error], 1e-5 * 5300, 0.01);
-        // The raw parameters, of passports and the database, are those of the recorded channels,
-        // too.
-        const RawParameters& raw = found->fit.raw;
-        const auto kappa =
-            static_cast<std::size_t>(std::ranges::find(raw.names, "kappa") - raw.names.begin());
-        VYBEG_LESS(kappa, raw.names.size());
-        VYBEG_CLOSE_RATIO(raw.values[kappa], found->fit.resonator.kappa.value, 1e-9);
-        VYBEG_CLOSE_RATIO(std::sqrt(raw.covariance[kappa * (raw.names.size() + 1)]),
-                          found->fit.resonator.kappa.sd, 1e-6);
+    }
+
+    // The raw parameters, of passports and the database, are those of the recorded channels, too.
+    void a_gain_ratio_after_a_calibration_is_that_of_the_recorded_channels() {
+        ResonatorFit fit;
+        fit.resonator.kappa = {1.02, 0.01, {}};
+        fit.raw = {{"f", "kappa"}, {5300, 1.02}, {4, 0.3, 0.3, 1e-4}};
+        refer_to_recorded(0.5, fit);
+        VYBEG_CLOSE_RATIO(fit.resonator.kappa.value, 0.51, 1e-15);
+        VYBEG_CLOSE_RATIO(fit.resonator.kappa.sd, 0.005, 1e-15);
+        QCOMPARE(fit.raw.values, (std::vector{5300.0, 0.51}));
+        QCOMPARE(fit.raw.covariance, (std::vector{4.0, 0.15, 0.15, 2.5e-5}));
     }
 
     // Errors of the channels are those of the electrodes, wherever angles count from: the same

@@ -174,6 +174,10 @@ private slots:
         goToResiduals();
         QVERIFY(computed(533 * 60));
         VYBEG_AT_LEAST(page().residuals()->lines.size(), 2);
+        // The page is laid out once its lines are there.
+        const int two_lines = 2 * the<QLabel>("residualState").fontMetrics().lineSpacing();
+        QTRY_VERIFY(the<QLabel>("residualState").height() >= two_lines);
+        QCoreApplication::processEvents();
         const QRect place = the<XYPlotView>("spectrum").geometry();
         clickLine(50);
         QVERIFY2(sentence().startsWith("<b>50.00 Hz: supply of 50 Hz.</b>"),
