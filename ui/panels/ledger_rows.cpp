@@ -343,6 +343,7 @@ LedgerHead::LedgerHead(QWidget* parent)
     }
     kind_->addItems(QStringList(trend_kinds));
     kind_->setFrame(false);
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // in another language, too
     line->addWidget(kind_);
     line->addStretch(1);
     connect(group, &QButtonGroup::idClicked, this,

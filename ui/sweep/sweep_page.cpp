@@ -351,6 +351,7 @@ void SweepPage::showFound() {
 
 QLayout* SweepPage::buildHead() {
     algorithm_->addItems(QStringList(std::ssize(all_algorithms)));
+    algorithm_->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // in another language, too
     progress_->setRange(0, progress_steps);
     progress_->setMaximumHeight(compute_->sizeHint().height());
     auto* choices = fill(new QHBoxLayout, {labelFor(algorithm_, [] { return tr("Algorithm"); }),

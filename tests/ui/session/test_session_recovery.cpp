@@ -243,15 +243,15 @@ private slots:
         QVERIFY2(bar.texts().first().contains("HRG-17, 2 recordings, 20"),
                  qPrintable(bar.texts().first()));
         QVERIFY2(bar.texts().first().startsWith("Session 1 of 2"), qPrintable(bar.texts().first()));
-        const auto press = [&bar](const char* text) {
+        const auto press = [&bar](const QString& text) {
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             for (QPushButton* button : bar.findChildren<QPushButton*>()) {
-                if (button->text() == QLatin1String(text)) {
+                if (button->text() == text) {
                     QTest::mouseClick(button, Qt::LeftButton);
                     return;
                 }
             }
-            QFAIL(text);
+            QFAIL(qPrintable(text));
         };
         press("Another…");  // looks at the older one, and back
         QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),

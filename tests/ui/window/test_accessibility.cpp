@@ -182,8 +182,8 @@ QStringList cutTexts(const QWidget& window) {
             }
         } else if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
             for (int tab = 0; tab < tabs->count(); ++tab) {
-                if (tabs->fontMetrics().horizontalAdvance(tabs->tabText(tab)) >
-                    tabs->tabRect(tab).width()) {
+                if (tabs->isTabVisible(tab) && tabs->fontMetrics().horizontalAdvance(tabs->tabText(
+                                                   tab)) > tabs->tabRect(tab).width()) {
                     cut << "tab " + tabs->tabText(tab);
                 }
             }
