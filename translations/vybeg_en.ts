@@ -201,17 +201,24 @@
             </translation>
         </message>
         <message numerus="yes">
-            <source>None of %n result(s) is outside the limits.</source>
+            <source>⚠ %n result(s) break the limits of the gyro.</source>
             <translation>
-                <numerusform>The one result is inside the limits.</numerusform>
-                <numerusform>None of %n results is outside the limits.</numerusform>
+                <numerusform>⚠ %n result breaks the limits of the gyro.</numerusform>
+                <numerusform>⚠ %n results break the limits of the gyro.</numerusform>
             </translation>
         </message>
         <message numerus="yes">
-            <source>%n result(s) outside the limits:</source>
+            <source>None of %n result(s) is outside the control limits.</source>
             <translation>
-                <numerusform>%n result outside the limits:</numerusform>
-                <numerusform>%n results outside the limits:</numerusform>
+                <numerusform>The one result is inside the control limits.</numerusform>
+                <numerusform>None of %n results is outside the control limits.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n result(s) outside the control limits:</source>
+            <translation>
+                <numerusform>%n result outside the control limits:</numerusform>
+                <numerusform>%n results outside the control limits:</numerusform>
             </translation>
         </message>
         <message numerus="yes">

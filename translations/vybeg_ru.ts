@@ -1111,22 +1111,6 @@
         <translation>Пределы относятся к одному гироскопу: выберите его, чтобы увидеть контрольные карты.</translation>
     </message>
     <message numerus="yes">
-        <source>None of %n result(s) is outside the limits.</source>
-        <translation>
-            <numerusform>Ни один из %n результата не выходит за пределы.</numerusform>
-            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
-            <numerusform>Ни один из %n результатов не выходит за пределы.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n result(s) outside the limits:</source>
-        <translation>
-            <numerusform>%n результат за пределами:</numerusform>
-            <numerusform>%n результата за пределами:</numerusform>
-            <numerusform>%n результатов за пределами:</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>и ещё %n</numerusform>
@@ -1157,6 +1141,30 @@
     <message>
         <source>Database: %1; %2, %3</source>
         <translation>База данных: %1; %2, %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ %n result(s) break the limits of the gyro.</source>
+        <translation>
+            <numerusform>⚠ %n результат вне пределов гироскопа.</numerusform>
+            <numerusform>⚠ %n результата вне пределов гироскопа.</numerusform>
+            <numerusform>⚠ %n результатов вне пределов гироскопа.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>None of %n result(s) is outside the control limits.</source>
+        <translation>
+            <numerusform>Ни один из %n результата не выходит за контрольные пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за контрольные пределы.</numerusform>
+            <numerusform>Ни один из %n результатов не выходит за контрольные пределы.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n result(s) outside the control limits:</source>
+        <translation>
+            <numerusform>%n результат за контрольными пределами:</numerusform>
+            <numerusform>%n результата за контрольными пределами:</numerusform>
+            <numerusform>%n результатов за контрольными пределами:</numerusform>
+        </translation>
     </message>
 </context>
 <context>

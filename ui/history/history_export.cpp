@@ -74,7 +74,7 @@ HistoryExport historyExport(const HistoryView& view, const QString& database,
         paragraph(HistoryWords::tr("Database: %1; %2, %3")
                       .arg(database, reportDay().toString(Qt::ISODate), programName()));
     all.report.html += paragraph(verdictText(view));
-    constexpr double height = 0.36;  // of the width
+    constexpr double height = 0.28;  // of the width: all on one page
     std::vector<XYPlot> plots{valuesPlot(view).plot};
     if (view.charts.one_gyro) {
         plots.push_back(rangesPlot(view).plot);

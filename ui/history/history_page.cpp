@@ -167,13 +167,15 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
     content_ = scrolled(buildContent());
     fill(new QVBoxLayout(this), {}, 4, {head, {state_, 0, Qt::AlignCenter}, {content_, 1}});
     connectWidgets();
-    // The database is read when the page is first seen: it may lie on a slow share.
+    // The database is read when the page is first seen: it may lie on a slow share; again, when
+    // another program has written into it.
     whenChanged(*this, {QEvent::Show}, [this] {
-        if (!std::exchange(seen_, true)) {
+        const bool first = !std::exchange(seen_, true);
+        if (first) {
             path_ = QSettings().value(path_key).toString();
-            if (!path_.isEmpty()) {
-                read();
-            }
+        }
+        if (!path_.isEmpty() && (first || QFileInfo(path_).lastModified() != read_at_)) {
+            read();
         }
     });
     retranslate();
@@ -205,6 +207,7 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
 void HistoryPage::read() {
     reading_ = true;
     failure_.reset();
+    read_at_ = QFileInfo(path_).lastModified();
     readHistory(job(reading_job), choices_->gyro(), choices_->parameter().name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();

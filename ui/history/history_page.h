@@ -6,6 +6,8 @@
 #include "ui/history/history_view.h"
 #include "ui/plots/plot_view.h"
 
+#include <QDateTime>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -118,6 +120,7 @@ private:
     QString path_;
     bool seen_ = false;
     bool reading_ = false;
+    QDateTime read_at_;  // of the file, as it was read
     std::optional<Error> failure_;
     std::optional<StoredHistory> history_;
     HistoryCharts charts_;

@@ -419,6 +419,19 @@ QString withoutDate(const HistoryView& view) {
                                         nullptr, static_cast<int>(count));
 }
 
+// The results that break the limits of the gyro, which matter more than those of the charts.
+QString brokenText(const HistoryView& view) {
+    const auto breaks = [&view](double value) {
+        return (view.limit->lower && value < *view.limit->lower) ||
+               (view.limit->upper && value > *view.limit->upper);
+    };
+    const auto broken = view.limit ? std::ranges::count_if(view.charts.values, breaks) : 0;
+    return broken == 0 ? QString()
+                       : HistoryWords::tr("⚠ %n result(s) break the limits of the gyro.", nullptr,
+                                          static_cast<int>(broken)) +
+                             QLatin1Char(' ');
+}
+
 // The origin of the limits, and the note about it.
 QString limitsText(const HistoryCharts& charts, std::size_t baseline) {
     if (charts.control.fault == BaselineFault::too_few) {
@@ -493,7 +506,7 @@ QString verdictText(const HistoryView& view) {
                withoutDate(view);
     }
     if (view.charts.control.fault == BaselineFault::too_few) {
-        return limitsText(view.charts, view.baseline) + withoutDate(view);
+        return brokenText(view) + limitsText(view.charts, view.baseline) + withoutDate(view);
     }
     QStringList named;
     int outside = 0;
@@ -509,13 +522,15 @@ QString verdictText(const HistoryView& view) {
     const int more = outside - static_cast<int>(named.size());
     const QString text =
         outside == 0
-            ? HistoryWords::tr("None of %n result(s) is outside the limits.", nullptr, values)
-            : HistoryWords::tr("%n result(s) outside the limits:", nullptr, outside) +
+            ? HistoryWords::tr("None of %n result(s) is outside the control limits.", nullptr,
+                               values)
+            : HistoryWords::tr("%n result(s) outside the control limits:", nullptr, outside) +
                   QLatin1Char(' ') + named.join(QStringLiteral("; ")) +
                   (more > 0 ? QStringLiteral("; ") + HistoryWords::tr("and %n more", nullptr, more)
                             : QString()) +
                   QLatin1Char('.');
-    return text + QLatin1Char(' ') + limitsText(view.charts, view.baseline) + withoutDate(view);
+    return brokenText(view) + text + QLatin1Char(' ') + limitsText(view.charts, view.baseline) +
+           withoutDate(view);
 }
 
 }  // namespace vybeg::ui

@@ -1,8 +1,10 @@
 #include "ui/plots/plot_stack.h"
 
 #include "ui/plots/plot_strip.h"
+#include "ui/words/short_names.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <memory>
@@ -38,7 +40,11 @@ void PlotStack::setContent(const PlotContent& content) {
 void PlotStack::showTitle() {
     constexpr int beside = 44;
     const int right = TimePanel::room(head()).right();
-    headStrip().setEntries({StripEntry{title_}}, Qt::AlignHCenter);
+    std::vector<StripEntry> entries{StripEntry{title_}};
+    if (!name_.isEmpty()) {
+        entries.insert(entries.begin(), {name_, true});
+    }
+    headStrip().setEntries(std::move(entries), Qt::AlignHCenter);
     headStrip().setInset(right + beside, right, 0);
 }
 
@@ -113,7 +119,31 @@ std::map<SlowVariable, AxisRange> commonValues(const Stacks& stacks,
             }
         }
     }
+    // A curve without a range of its own may lie at an end of the common one.
+    constexpr double small = 0.5;
+    constexpr double spare = 0.05;
+    for (auto& [variable, range] : common) {
+        const double span = range.span();
+        const bool at_an_end = std::ranges::any_of(stacks, [&](const auto& stack) {
+            const AxisRange own = stack->panel(variable)->automaticValues();
+            return own.span() < small * span &&
+                   std::min(own.lower - range.lower, range.upper - own.upper) < spare * span;
+        });
+        if (at_an_end) {
+            range = {range.lower - spare * span, range.upper + spare * span};
+        }
+    }
     return common;
+}
+
+// What differs between the names of the columns' recordings; empty for one recording.
+QStringList namesOf(const FigureColumns& columns) {
+    QStringList names;
+    for (const FigureColumn& column : columns) {
+        names << QFileInfo(column.shown.recording).completeBaseName();
+    }
+    return names.count(names.value(0)) == names.size() ? QStringList(names.size())
+                                                       : distinctNames(names);
 }
 
 void setLetters(const Stacks& stacks, std::size_t rows) {
@@ -136,9 +166,10 @@ void drawFigure(const FigureColumns& columns, const std::vector<SlowVariable>& v
     preparePlot(plot, lightTheme());
     Stacks stacks;
     ZoomState zoom{commonTime(columns), {}};
+    const QStringList names = namesOf(columns);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         stacks.push_back(std::make_unique<PlotStack>(plot, static_cast<int>(i), PlotHead::line));
-        stacks.back()->setTitle(columns[i].title);
+        stacks.back()->setTitle(columns[i].title, names[static_cast<qsizetype>(i)]);
         PlotContent content;
         content.analyses = {columns[i].shown};
         // A column has one analysis, so no legend is needed.

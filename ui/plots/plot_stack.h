@@ -19,8 +19,11 @@ class PlotStack : public TimeStack {
 public:
     using TimeStack::TimeStack;
 
-    // Instead of the names of the analyses.
-    void setTitle(const QString& title) { title_ = title; }
+    // Instead of the names of the analyses; `name`: literal, before it.
+    void setTitle(const QString& title, const QString& name) {
+        title_ = title;
+        name_ = name;
+    }
     // Rebuilds the panels if the variables have changed; sets zoom and value axes.
     void setContent(const PlotContent& content);
     // Sets time and value axes, after prepare(); value axes that are not fixed follow the visible
@@ -39,6 +42,7 @@ private:
     void showNames(const PlotContent& content);
 
     QString title_;
+    QString name_;
     std::vector<PlotPanel*> panels_;
 };
 

@@ -164,16 +164,25 @@ void keepTablesWhole(QTextDocument& document) {
     }
 }
 
-// A heading is kept with the text below it. Each break moves all that follows, so that headings
-// are looked at one after the other.
-void keepHeadingsWithTheirText(QTextDocument& document) {
+// Of a figure that begins on one page and ends on another; Qt draws it over the end of the first.
+bool isFigureAcrossPages(const QTextDocument& document, const QTextBlock& block) {
+    const double page = document.pageSize().height();
+    const QRectF place = document.documentLayout()->blockBoundingRect(block);
+    return block.begin() != block.end() && block.begin().fragment().charFormat().isImageFormat() &&
+           std::floor(place.top() / page) != std::floor((place.bottom() - 1) / page);
+}
+
+// A heading is kept with the text below it, a figure on one page. Each break moves all that
+// follows, so that blocks are looked at one after the other.
+void keepTogether(QTextDocument& document) {
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextBlock below = block.next();
         while (below.isValid() && below.blockFormat().headingLevel() > 0) {
             below = below.next();
         }
         const bool is_heading = block.blockFormat().headingLevel() > 0;
-        if (is_heading && below.isValid() && pageOf(document, below) != pageOf(document, block)) {
+        if ((is_heading && below.isValid() && pageOf(document, below) != pageOf(document, block)) ||
+            isFigureAcrossPages(document, block)) {
             QTextBlockFormat format = block.blockFormat();
             format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
             QTextCursor(block).setBlockFormat(format);
@@ -221,7 +230,7 @@ void layOut(QTextDocument& document, const QString& html) {
         setHtml(document, html, QTextOption::WrapAtWordBoundaryOrAnywhere);
     }
     keepTablesWhole(document);
-    keepHeadingsWithTheirText(document);
+    keepTogether(document);
 }
 
 struct Heading {

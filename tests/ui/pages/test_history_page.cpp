@@ -269,6 +269,27 @@ private slots:
         QVERIFY(limits().empty());  // of another parameter
         window_->document().dossier().setLimits({{"split_hz", std::nullopt, 0.0125}});
         QCOMPARE(limits(), (std::vector<double>{12.5, 12.5}));
+        chooseGyro(1);
+        QVERIFY(!text("historyVerdict").contains("limits of the gyro"));
+        window_->document().dossier().setLimits({{"split_hz", 0.02, std::nullopt}});
+        QVERIFY2(text("historyVerdict").startsWith("⚠ 30 results break the limits of the gyro. None"),
+                 qPrintable(text("historyVerdict")));
+    }
+
+    void results_of_another_program_are_seen_when_the_page_is_shown_again() {
+        const QString path = database("grows.db", 3);
+        open(path);
+        QCOMPARE(page().charts().values.size(), std::size_t{3});
+        window_->action(Command::page_tracks)->trigger();
+        auto elsewhere = test::needed(ResultsDatabase::open(
+            path.toStdString(), ResultsDatabase::Access::write, JobControl()));
+        QVERIFY(elsewhere.add(test::made_result(7, "G0")));
+        QFile file(path);  // a file system may count in seconds
+        QVERIFY(file.open(QIODevice::ReadWrite) &&
+                file.setFileTime(QDateTime::currentDateTime().addSecs(2),
+                                 QFileDevice::FileModificationTime));
+        window_->action(Command::page_history)->trigger();
+        QTRY_COMPARE(page().charts().values.size(), std::size_t{4});
     }
 
     // The same values against the frequency, and in order; the parameter and its unit.

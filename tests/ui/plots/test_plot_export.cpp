@@ -293,6 +293,20 @@ private slots:
         QVERIFY(!texts.contains(QStringLiteral(" i ")));
     }
 
+    // Columns of several recordings have their names, by what differs, as they are.
+    void columns_of_recordings_are_named() {
+        std::vector<FigureColumn> columns = twoColumns();
+        const QString path = dir_.filePath(QStringLiteral("named.svg"));
+        QVERIFY(drawnFigure(articleFigure(columns), path));
+        QVERIFY(!textsOf(bytesOf(path)).contains(QStringLiteral("gyro_A_long_way_north")));
+        columns[0].shown.recording = QStringLiteral("gyro_A_long_way_north.wav");
+        columns[1].shown.recording = QStringLiteral("gyro_A_long_way_south.wav");
+        QVERIFY(drawnFigure(articleFigure(columns), path));
+        const QString texts = textsOf(bytesOf(path));
+        QVERIFY2(texts.contains(QStringLiteral("north")) && texts.contains(QStringLiteral("south")),
+                 qPrintable(texts));
+    }
+
     void a_figure_is_written_in_every_format() {
         const QString base = dir_.filePath(QStringLiteral("figure"));
         const Figure figure = articleFigure(twoColumns());
