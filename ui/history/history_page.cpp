@@ -169,7 +169,10 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
     connectWidgets();
     // The database is read when the page is first seen: it may lie on a slow share; again, when
     // another program has written into it.
-    whenChanged(*this, {QEvent::Show}, [this] {
+    whenChanged(*this, {QEvent::Show, QEvent::WindowActivate}, [this] {
+        if (!isVisible()) {
+            return;
+        }
         const bool first = !std::exchange(seen_, true);
         if (first) {
             path_ = QSettings().value(path_key).toString();

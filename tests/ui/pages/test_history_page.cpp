@@ -276,11 +276,10 @@ private slots:
                  qPrintable(text("historyVerdict")));
     }
 
-    void results_of_another_program_are_seen_when_the_page_is_shown_again() {
+    void results_of_another_program_are_seen_when_the_window_is_active_again() {
         const QString path = database("grows.db", 3);
         open(path);
         QCOMPARE(page().charts().values.size(), std::size_t{3});
-        window_->action(Command::page_tracks)->trigger();
         auto elsewhere = test::needed(ResultsDatabase::open(
             path.toStdString(), ResultsDatabase::Access::write, JobControl()));
         QVERIFY(elsewhere.add(test::made_result(7, "G0")));
@@ -288,7 +287,8 @@ private slots:
         QVERIFY(file.open(QIODevice::ReadWrite) &&
                 file.setFileTime(QDateTime::currentDateTime().addSecs(2),
                                  QFileDevice::FileModificationTime));
-        window_->action(Command::page_history)->trigger();
+        QEvent back(QEvent::WindowActivate);
+        QApplication::sendEvent(&page(), &back);
         QTRY_COMPARE(page().charts().values.size(), std::size_t{4});
     }
 
