@@ -272,8 +272,9 @@ private slots:
         chooseGyro(1);
         QVERIFY(!text("historyVerdict").contains("limits of the gyro"));
         window_->document().dossier().setLimits({{"split_hz", 0.02, std::nullopt}});
-        QVERIFY2(text("historyVerdict").startsWith("⚠ 30 results break the limits of the gyro. None"),
-                 qPrintable(text("historyVerdict")));
+        QVERIFY2(
+            text("historyVerdict").startsWith("⚠ 30 results break the limits of the gyro. None"),
+            qPrintable(text("historyVerdict")));
     }
 
     void results_of_another_program_are_seen_when_the_window_is_active_again() {
