@@ -2641,6 +2641,10 @@
         <source>Report of whole-angle logs</source>
         <translation>Отчёт о журналах интегрирующего режима</translation>
     </message>
+    <message>
+        <source>Not shown to be kept: %1.</source>
+        <translation>Соблюдение не доказано: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Residuals</name>

@@ -97,7 +97,7 @@ double misfit_of(const test::ViolatedSet& set, const test::ViolatedSet& faultles
     }
     const auto chi2 = [&](const std::vector<PhasorRun>& runs) {
         FitProblem problem = problem_of(scaled_runs(runs, fit.motion.scale));
-        problem.priors = structured_priors(problem.runs, problem.layout, {});
+        problem.priors = structured_priors(problem.runs, problem.layout, untold_channels);
         return minimise(problem, start, 200, {}).chi2;
     };
     return std::sqrt(std::max(0.0, chi2(set.runs) - chi2(faultless.runs)));

@@ -140,19 +140,33 @@ QString verdictText(const ReportContent& content) {
     if (!verdict.conformity) {
         return {};
     }
-    QStringList failed;
-    for (const std::string& parameter : verdict.failed) {
-        failed << shownAs(parameter, "", content.units).title;
+    QStringList outside;
+    QStringList unknown;
+    for (const ResonatorParameter& parameter : resonator_parameters) {
+        if (std::ranges::count(verdict.failed, parameter.name) > 0) {
+            const bool broken =
+                conformity(found.fit.resonator.*parameter.member,
+                           *limit_of(content.limits, parameter.name)) == Conformity::outside;
+            (broken ? outside : unknown)
+                << shownAs(parameter.name, parameter.unit, content.units).title;
+        }
     }
-    const QString names = failed.join(QStringLiteral(", "));
+    const auto named = [](const QStringList& titles) { return titles.join(QStringLiteral(", ")); };
     switch (*verdict.conformity) {
         case Conformity::within: return ReportWords::tr("All limits are kept.");
-        case Conformity::outside: return ReportWords::tr("Limits are not kept: %1.").arg(names);
+        case Conformity::outside: {
+            const QString text = ReportWords::tr("Limits are not kept: %1.").arg(named(outside));
+            return unknown.isEmpty()
+                       ? text
+                       : text + QLatin1Char(' ') +
+                             ReportWords::tr("Not shown to be kept: %1.").arg(named(unknown));
+        }
         case Conformity::unknown: break;
     }
-    return names.isEmpty()
+    return verdict.failed.empty()
                ? ReportWords::tr("No verdict: by the warnings, the numbers may be wrong.")
-               : ReportWords::tr("No verdict; not shown to be kept: %1.").arg(names);
+               : ReportWords::tr("No verdict; not shown to be kept: %1.")
+                     .arg(named(outside + unknown));
 }
 
 QString figures(const ReportContent& content) {

@@ -86,7 +86,7 @@ struct FittedSet {
     bool amplitude_or_time = false;  // settling frequencies explain the phasors as well as b
     RunDeviation spread = RunDeviation::Zero();  // sd of the deviations of the runs from the set
     // Stated or assumed: the sizes of the errors in u; of the free model the drifts alone.
-    ChannelTolerance tolerance;
+    ChannelTolerance tolerance = untold_channels;
     // By describe().
     Posterior posterior{};
     ModeOrder order{};

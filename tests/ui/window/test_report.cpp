@@ -276,6 +276,8 @@ private slots:
             {{}, ""},
             {{{"split_hz", {}, split.value + far}}, "All limits are kept."},
             {{{"split_hz", {}, split.value - far}}, "Limits are not kept: Frequency split Δf."},
+            {{{"split_hz", {}, split.value - far}, {"q", {}, found.fit.resonator.q.value}},
+             "Limits are not kept: Frequency split Δf. Not shown to be kept: Quality factor Q."},
             {{{"split_hz", {}, split.value}},
              "No verdict; not shown to be kept: Frequency split Δf."},
         };
