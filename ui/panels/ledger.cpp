@@ -366,8 +366,10 @@ void Ledger::fillVariables() {
     }
 }
 
-// Names may be shortened, numbers may not: a column without room for its numbers gives way.
+// Names may be shortened, numbers may not: a column without room for its numbers gives way. Those
+// of wide windows do not come and go with what is read.
 void Ledger::layoutColumns() {
+    constexpr int wide = 1500;
     const int room = viewport()->width();
     const int least_name = 14 * fontMetrics().averageCharWidth() + 48;
     const auto lay = [&](const std::vector<int>& hidden) {
@@ -396,12 +398,15 @@ void Ledger::layoutColumns() {
         concise_ = concise;
         fillVariables();
         std::vector<int> hidden;
-        if (lay(hidden) || (!concise && (hidden = {algorithm, frequency}, lay(hidden)))) {
+        if (room >= wide && lay(hidden)) {
+            break;
+        }
+        hidden = {algorithm, frequency};
+        if (lay(hidden)) {
             break;
         }
         if (concise) {
-            for (const int column : {static_cast<int>(algorithm), static_cast<int>(frequency),
-                                     noiseColumn(), static_cast<int>(window)}) {
+            for (const int column : {noiseColumn(), static_cast<int>(window)}) {
                 hidden.push_back(column);
                 if (lay(hidden)) {
                     break;
