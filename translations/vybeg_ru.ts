@@ -3072,10 +3072,6 @@
         <translation>Паспорт</translation>
     </message>
     <message>
-        <source>Now</source>
-        <translation>Теперь</translation>
-    </message>
-    <message>
         <source>in the passport: %1</source>
         <translation>в паспорте: %1</translation>
     </message>

@@ -246,8 +246,10 @@ HistoryView HistoryPage::view() const {
     const PassportComparison* open = document_.sets().passport();
     const Dossier& dossier = document_.dossier().dossier();
     const std::string serial = dossier.gyro.serial.toStdString();
-    // Those of the session's gyro are not limits of another one.
-    const bool same_gyro = serial.empty() || choices_->gyro().value_or(serial) == serial;
+    // Those of the session's gyro are not limits of another one, nor of several.
+    const bool one_gyro = choices_->gyro() || history_->gyros.size() == 1;
+    const bool same_gyro =
+        one_gyro && (serial.empty() || choices_->gyro().value_or(serial) == serial);
     const ParameterLimit* limit =
         same_gyro ? limit_of(dossier.limits, choices_->parameter().name.c_str()) : nullptr;
     return {*history_,

@@ -116,7 +116,10 @@ private:
         dates->setDateTimeSpec(Qt::UTC);
         dates->setDateTimeFormat(range.span() > 3 * day_s ? QStringLiteral("yyyy-MM-dd")
                                                           : QStringLiteral("MM-dd HH:mm"));
-        dates->setTickCount(std::max(2, expectedSize().width() / label_width));
+        // No day twice.
+        const int days = static_cast<int>(range.span() / day_s);
+        const int most = range.span() > 3 * day_s ? 2 * days / 3 : expectedSize().width();
+        dates->setTickCount(std::max(2, std::min(most, expectedSize().width() / label_width)));
         axis(QCPAxis::atBottom)->setTicker(dates);
     }
 
@@ -242,13 +245,11 @@ Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, in
     constexpr double far = 1e3;  // from zero: labels count from an offset, which the name has
     const bool y = !content.turned;
     const AxisRange shown = y ? shownValues(content) : shownPlaces(content);
-    const bool logarithmic = y ? content.y_logarithmic : content.x_logarithmic;
     const bool offset = std::max(std::abs(shown.lower), std::abs(shown.upper)) > far * shown.span();
-    const QString name = (y ? content.y_name : content.x_name) + QLatin1Char(' ') +
-                         (logarithmic ? QString()
-                          : offset    ? QStringLiteral(" − 5300.000 000, ×10⁻³ ")
-                                      : QStringLiteral("×10⁻³ ")) +
-                         (y ? content.y_unit : content.x_unit);
+    const QString name =
+        (y ? content.y_name : content.x_name) + QLatin1Char(' ') +
+        (offset ? QStringLiteral(" − 5300.000 000, ×10⁻³ ") : QStringLiteral("×10⁻³ ")) +
+        (y ? content.y_unit : content.x_unit);
     const int left = left_margin + gap + static_cast<int>(indexTextWidth(name, font));
     Legend legend{PlotStrip::rows(entries, font, width - left - right_margin), left};
     if (legend.rows.size() > 1) {

@@ -258,9 +258,9 @@ QStringList incomparableTexts(const std::vector<Difference>& differences) {
 }
 
 QStringList differenceHeaders() {
-    return {ResonatorWords::tr("Verdict"),    ResonatorWords::tr("Difference, u"),
+    return {ResonatorWords::tr("Verdict"), ResonatorWords::tr("Difference, u"),
             ResonatorWords::tr("Difference"), ResonatorWords::tr("Relative"),
-            ResonatorWords::tr("Passport"),   ResonatorWords::tr("Now")};
+            ResonatorWords::tr("Passport")};
 }
 
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
@@ -282,8 +282,7 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
                                      deviations,
                                      change,
                                      relativeCell(difference.relative),
-                                     sideCell(difference.then, factor),
-                                     sideCell(difference.now, factor)}));
+                                     sideCell(difference.then, factor)}));
     }
     return rows;
 }

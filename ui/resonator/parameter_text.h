@@ -44,7 +44,7 @@ QString angleRateUnit(const DisplayUnits& units);
 double angleRateFactor(const DisplayUnits& units);
 
 // Columns of a comparison: verdict, difference in combined uncertainties, in its unit and in
-// percent, then, now.
+// percent, value of the passport; the present one is in the tables of the parameters.
 QStringList differenceHeaders();
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
                                         const DisplayUnits& units, const Theme& theme);

@@ -290,7 +290,8 @@ std::vector<QuantityRow> driftRows(const Identification& found, const DisplayUni
 QString driftSentence(const std::vector<QuantityRow>& rows, const DisplayUnits& units) {
     QStringList harmonics;
     for (const QuantityRow& row : rows) {
-        harmonics << row.name.section(QLatin1Char(','), 0, 0) + QChar(0xa0) +
+        const QString name = row.name.section(QLatin1Char(','), 0, 0);
+        harmonics << QString(name).replace(QLatin1Char(' '), QChar(0xa0)) + QChar(0xa0) +
                          row.cells.front().concise;
     }
     return harmonics.join(QStringLiteral(", ")) + QChar(0xa0) + angleRateUnit(units);

@@ -466,7 +466,7 @@ private slots:
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
         QVERIFY(cell("differences", "Mean frequency", 4).endsWith("ppm") ||
                 cell("differences", "Mean frequency", 4).endsWith("%"));
-        QCOMPARE(the<QuantityTable>("differences").columnCount(), 7);
+        QCOMPARE(the<QuantityTable>("differences").columnCount(), 6);
 
         const QStringList later = resonatorRuns(home_, "later", {.split_hz = 0.02});
         setStore().add();
