@@ -24,9 +24,9 @@ for language in en ru; do
         shot=$page
         [ "$page" = signals ] && shot=periods
         part=1280x662+0+31
-        # Beside the plots the settings, which the picture of the tracks shows, have no room.
+        # The picture of the tracks shows settings and ledger; the others show their page alone.
         aside=$([ "$language" = ru ] && echo 238 || echo 216)
-        [ "$page" != tracks ] && part=$((1280 - aside))x662+$aside+31
+        [ "$page" != tracks ] && part=$((1280 - aside))x560+$aside+31
         [ "$page" = resonator ] && part=1280x689+0+31  # it owns the row of the status, too
         picture "$shot-all-$language-light-1280x720@1.png" "$folder/$page.png" "$part"
     done
