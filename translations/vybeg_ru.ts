@@ -3360,10 +3360,6 @@
         <translation>u — с учётом допусков.</translation>
     </message>
     <message>
-        <source>±: standard deviation.</source>
-        <translation>± — СКО;</translation>
-    </message>
-    <message>
         <source>Squared residuals of its windows in the fit of all, in units of their noise; about 1 where there is nothing but noise</source>
         <translation>Квадраты невязок её окон при общей подгонке, в единицах их шума; около 1, если есть только шум</translation>
     </message>
@@ -3382,6 +3378,14 @@
     <message>
         <source>no axis</source>
         <translation>нет оси</translation>
+    </message>
+    <message>
+        <source>within the limit</source>
+        <translation>в пределах допуска</translation>
+    </message>
+    <message>
+        <source>± and (): standard deviation.</source>
+        <translation>± и () — СКО;</translation>
     </message>
 </context>
 <context>

@@ -276,8 +276,14 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
                                       {}};
         const double factor = shown.factor;
         const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
-        rows.push_back(rowOf(shown, {{verdictText(difference.verdict),
-                                      {verdictWord(difference.verdict)},
+        // Significant, but too small to matter to the engineer.
+        constexpr double significant = 3;
+        const bool limited = difference.verdict == Verdict::unchanged && difference.limit > 0 &&
+                             std::abs(sds) > significant;
+        const QString word =
+            limited ? ResonatorWords::tr("within the limit") : verdictWord(difference.verdict);
+        rows.push_back(rowOf(shown, {{verdictSign(difference.verdict) + word,
+                                      {word},
                                       verdictColor(difference.verdict, theme)},
                                      deviations,
                                      change,

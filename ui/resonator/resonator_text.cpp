@@ -380,12 +380,13 @@ QString uncertaintyText(const Identification& found) {
 }
 
 QString uncertaintyWords(const Identification& found) {
-    const QString& tolerances = toleranceTexts(found.settings).isEmpty() ? QString()
-                                : anyAssumed(found.settings)
-                                    ? ResonatorWords::tr("u: with the tolerances, some assumed.")
-                                    : ResonatorWords::tr("u: with the tolerances.");
+    const QString tolerances = toleranceTexts(found.settings).isEmpty() ? QString()
+                               : anyAssumed(found.settings)
+                                   ? ResonatorWords::tr("u: with the tolerances, some assumed.")
+                                   : ResonatorWords::tr("u: with the tolerances.");
     return QStringLiteral("%1 %2 %3")
-        .arg(ResonatorWords::tr("±: standard deviation."), tolerances, clockText(found.settings))
+        .arg(ResonatorWords::tr("± and (): standard deviation."), tolerances,
+             clockText(found.settings))
         .simplified();
 }
 
