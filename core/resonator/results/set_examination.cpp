@@ -27,8 +27,10 @@ constexpr std::size_t least_to_show = 4;
 constexpr double margin = 12;
 // Chi^2 above that of its own fit up to which a run counts as brought back.
 constexpr double brought_back = 25;
-// Sets without one run that are fitted.
+// Sets without one run that are fitted; one more without a run whose own noise is this many times
+// that of its windows.
 constexpr std::size_t most_trials = 4;
+constexpr double own_misfit = 100;
 constexpr int refit_steps = 60;
 
 // Some runs of a set with their fit.
@@ -222,6 +224,12 @@ private:
                 return falls[a] > falls[b];  // NaN before none
             });
             order.resize(most_trials);
+            // In units of such a noise, the disagreement of a run with a large event is the least.
+            const auto noisiest = std::ranges::max_element(noise_);
+            const auto place = static_cast<std::size_t>(noisiest - noise_.begin());
+            if (*noisiest > own_misfit && std::ranges::find(order, place) == order.end()) {
+                order.push_back(place);
+            }
         }
         return order;
     }

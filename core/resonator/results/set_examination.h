@@ -35,7 +35,8 @@ struct SetExamination {
 };
 
 // `joint`: the fit of `problem`. A set whose runs agree takes one look at the information of each;
-// otherwise each run is fitted alone, and the set without each of the four that disagree most.
+// otherwise each run is fitted alone, and the set without each of the four that disagree most and
+// without the one that its own fit leaves far above its noise.
 // `spread`: of FitOptions, for sets that agree.
 SetExamination examine_set(const FitProblem& problem, const MapFit& joint,
                            std::optional<double> spread, const JobControl& job);

@@ -185,6 +185,39 @@ private slots:
         }
     }
 
+    // A larger set tries to do without some of its recordings only, in the order of what they would
+    // gain in units of their own noise, which a large step makes a million times that of the
+    // others.
+    void a_large_step_of_one_of_many_is_found() {
+        std::uint64_t seed = 80;
+        for (const std::vector<double>& angles :
+             {std::vector<double>{0, 22.5, 45, 67.5, 14.3}, {0, 11, 22.5, 33, 45, 56, 67.5, 79}}) {
+            for (const double size : {-0.5, -0.07, -5e-3, 0.07}) {
+                FreeDecay gyro = reference();
+                gyro.split_hz = 2e-3;
+                gyro.theta_w = 0.2;
+                std::vector<PhasorRun> runs = set_of(gyro, angles, 500, ++seed);
+                const std::size_t where = seed % 2 == 0 ? 2 : runs.size() - 1;
+                gains_at(runs[where], 8, size, size);
+                const ResonatorFit fit = fitted(runs);
+                const QString what = QString("%1 runs, size %2: chi^2/dof %3")
+                                         .arg(runs.size())
+                                         .arg(size)
+                                         .arg(fit.chi2_per_dof);
+                QVERIFY2(!fit.left_out && warns(fit, DiagnosticKind::fitted_gain_step),
+                         qPrintable(what));
+                VYBEG_EQUAL(fit.breaks.size(), 1, qPrintable(what));
+                QCOMPARE(fit.breaks[0].run, where);
+                VYBEG_WITHIN(fit.breaks[0].time_s, 8, fit.breaks[0].reach_s, qPrintable(what));
+                VYBEG_CLOSE(fit.breaks[0].size[0], size, 1e-3, qPrintable(what));
+                VYBEG_CLOSE(fit.breaks[0].size[1], size, 1e-3, qPrintable(what));
+                VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
+                VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
+                VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
+            }
+        }
+    }
+
     void a_knock_is_found_and_the_numbers_are_right() {
         std::uint64_t seed = 60;
         for (const double size : {1e-3, 1e-2, 0.1, 0.5}) {
