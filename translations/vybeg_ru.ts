@@ -7741,6 +7741,10 @@
         <source>Forget</source>
         <translation>Забыть</translation>
     </message>
+    <message>
+        <source>The copy of the session stays: %1</source>
+        <translation>Копия сеанса остаётся: %1</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::SetPanel</name>

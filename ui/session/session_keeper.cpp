@@ -505,11 +505,15 @@ void SessionKeeper::offerAbandoned(qsizetype place) {
         message.buttons.emplace_back([] { return tr("Another…"); },
                                      [this, place] { offerAbandoned(place + 1); });
     }
-    message.buttons.emplace_back([] { return tr("Forget"); },
-                                 [this, copy, place] {
-                                     SessionBackup::setAside(copy);
-                                     offerAbandoned(place);
-                                 });
+    message.buttons.emplace_back(
+        [] { return tr("Forget"); },
+        [this, copy, place] {
+            const QString aside = SessionBackup::setAside(copy);
+            document_.report({MessageLevel::info, [aside] {
+                                  return tr("The copy of the session stays: %1").arg(aside);
+                              }});
+            offerAbandoned(place);
+        });
     message.until_answered = true;
     document_.report(message);
 }

@@ -175,9 +175,11 @@ void SessionBackup::discard(const QString& path) {
     QFile::remove(lockOf(path));
 }
 
-void SessionBackup::setAside(const QString& path) {
-    QFile::rename(path, path + QStringLiteral(".declined"));
+QString SessionBackup::setAside(const QString& path) {
+    const QString aside = path + QStringLiteral(".declined");
+    QFile::rename(path, aside);
     QFile::remove(lockOf(path));
+    return aside;
 }
 
 }  // namespace vybeg::ui

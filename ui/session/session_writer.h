@@ -74,8 +74,8 @@ public:
     // Copies of programs that are not running any more, oldest first.
     static QStringList abandoned();
     static void discard(const QString& path);
-    // Renames a declined copy, so that it stays and is not offered again.
-    static void setAside(const QString& path);
+    // Renames a declined copy, so that it stays and is not offered again; returns its new path.
+    static QString setAside(const QString& path);
 
 private:
     void write();

@@ -6,6 +6,7 @@
 #include "ui/session/session_keeper.h"
 #include "ui/session/session_writer.h"
 #include "ui/window/main_window.h"
+#include "ui/window/status_line.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -260,6 +261,7 @@ private slots:
         QVERIFY(bar.texts().first().contains("HRG-17"));
         QVERIFY(SessionBackup::abandoned().contains(newer));
         press("Forget");
+        QVERIFY(childOf<StatusLine>(*window).text().contains(newer + ".declined"));
         QCOMPARE(bar.texts().size(), 1);
         QVERIFY2(bar.texts().first().contains("r.1, 1 recording, 20"),
                  qPrintable(bar.texts().first()));
