@@ -421,11 +421,10 @@ QString withoutDate(const HistoryView& view) {
 
 // The results that break the limits of the gyro, which matter more than those of the charts.
 QString brokenText(const HistoryView& view) {
-    const auto breaks = [&view](double value) {
-        return (view.limit->lower && value < *view.limit->lower) ||
-               (view.limit->upper && value > *view.limit->upper);
+    const auto breaks = [&view](const HistoryPoint& point) {
+        return conformity(point.value, *view.limit) == Conformity::outside;
     };
-    const auto broken = view.limit ? std::ranges::count_if(view.charts.values, breaks) : 0;
+    const auto broken = view.limit ? std::ranges::count_if(view.history.points, breaks) : 0;
     return broken == 0 ? QString()
                        : HistoryWords::tr("⚠ %n result(s) break the limits of the gyro.", nullptr,
                                           static_cast<int>(broken)) +

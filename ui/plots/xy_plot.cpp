@@ -258,6 +258,10 @@ Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, in
     return legend;
 }
 
+int headOf(const XYPlot& content, const Legend& legend) {
+    return std::max(content.least_head, legend.height() + (legend.beside_name() ? 0 : head_height));
+}
+
 }  // namespace
 
 XYSeries dashedLine(const QString& name, Ink ink, std::vector<double> x, std::vector<double> y) {
@@ -306,7 +310,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
         plot.plotLayout()->addElement(row++, 0, strip);
     }
     // The panel draws the name of its axis over a row of the legend that leaves room for it.
-    const int head = headOf(content, plotFont(plot), size.width());
+    const int head = headOf(content, legend);
     const int foot = footOf(content);
     const QSize room(size.width() - left_margin - right_margin, size.height() - head - foot);
     auto* panel = new XYPanel(&plot, content, theme, head - legend.height(), room);
@@ -327,8 +331,7 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
 }
 
 int headOf(const XYPlot& content, const QFont& font, int width) {
-    const Legend legend = legendOf(content, lightTheme(), font, width);
-    return std::max(content.least_head, legend.height() + (legend.beside_name() ? 0 : head_height));
+    return headOf(content, legendOf(content, lightTheme(), font, width));
 }
 
 AxisRange shownPlaces(const XYPlot& content) {

@@ -265,6 +265,7 @@ QStringList differenceHeaders() {
 
 std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differences,
                                         const DisplayUnits& units, const Theme& theme) {
+    const double significant = changed_from(count_compared(differences));
     std::vector<QuantityRow> rows;
     for (const Difference& difference : differences) {
         const Shown shown = shownAs(difference.name, difference.unit, units);
@@ -277,9 +278,8 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
         const double factor = shown.factor;
         const QuantityCell change = valueCell(factor * difference.change, factor * difference.u);
         // Significant, but too small to matter to the engineer.
-        constexpr double significant = 3;
-        const bool limited = difference.verdict == Verdict::unchanged && difference.limit > 0 &&
-                             std::abs(sds) > significant;
+        const bool limited =
+            difference.verdict == Verdict::unchanged && difference.deviations() >= significant;
         const QString word =
             limited ? ResonatorWords::tr("within the limit") : verdictWord(difference.verdict);
         rows.push_back(rowOf(shown, {{verdictSign(difference.verdict) + word,

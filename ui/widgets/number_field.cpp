@@ -33,7 +33,7 @@ std::optional<double> readNumber(QString text) {
 
 namespace {
 
-// Without a power of ten, which nobody types: "0.00001".
+// Small numbers without a power of ten: "0.00001".
 QString fieldText(double value, int digits) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
