@@ -105,7 +105,7 @@ public:
             },
             std::move(done));
     }
-    // The same for a page or a store, which has one such work for each key; tells its progress.
+    // The same for a page or a store, one work for each key; reports the progress.
     template <class Value>
     void run(int key, Work<Value> work, Done<Value> done) {
         start<Result<Value>>(

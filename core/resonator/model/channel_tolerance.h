@@ -39,7 +39,7 @@ using BySource = std::array<double, error_sources>;
 using ChannelTolerance = std::array<double, channel_error_count>;
 using Tolerance = std::array<std::optional<double>, tolerated_count>;
 
-// That of channels of which nothing is told: the fit finds the gain ratio alone.
+// The tolerance where none is stated: the fit finds the gain ratio alone.
 inline constexpr ChannelTolerance untold_channels{0.01};
 
 // The single list that the fit, the option, the settings, the results and the window go through.
@@ -76,7 +76,7 @@ static_assert(std::ranges::adjacent_find(tolerated_errors, std::greater_equal(),
 inline constexpr auto channel_errors = std::span(tolerated_errors).first<channel_error_count>();
 
 // An error of a usual size, for the table of sensitivities; where no tolerance of the channels is
-// told, that size is assumed (kappa: untold_channels). Effects of the amplitude refer to the
+// stated, that size is assumed (kappa: untold_channels). Effects of the amplitude refer to the
 // largest one.
 struct UsualError {
     ErrorSource source;
