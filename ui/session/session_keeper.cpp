@@ -42,6 +42,21 @@ CopyContent contentOf(const QString& copy) {
             QFileInfo(copy).lastModified().toString("yyyy-MM-dd HH:mm")};
 }
 
+// `place`: of the copy among so many, from 0.
+QString offerText(const CopyContent& copy, qsizetype place, qsizetype count) {
+    return count == 1
+               ? SessionKeeper::tr(
+                     "A session was not closed, and can be recovered: %1, %n recording(s), %2.",
+                     nullptr, copy.recordings)
+                     .arg(copy.name, copy.written)
+               : SessionKeeper::tr(
+                     "Session %1 of %2 that were not closed: %3, %n recording(s), %4.", nullptr,
+                     copy.recordings)
+                     .arg(place + 1)
+                     .arg(count)
+                     .arg(copy.name, copy.written);
+}
+
 // Of files under another name so much is read, which takes half a second.
 constexpr qint64 most_bytes_read = 256'000'000;
 
@@ -484,17 +499,8 @@ void SessionKeeper::offerAbandoned(qsizetype place) {
     }
     place %= count;
     const QString& copy = copies[count - 1 - place];
-    Message message = warningMessage([what = contentOf(copy), place, count] {
-        return count == 1
-                   ? tr("A session was not closed, and can be recovered: %1, %n recording(s), %2.",
-                        nullptr, what.recordings)
-                         .arg(what.name, what.written)
-                   : tr("Session %1 of %2 that were not closed: %3, %n recording(s), %4.", nullptr,
-                        what.recordings)
-                         .arg(place + 1)
-                         .arg(count)
-                         .arg(what.name, what.written);
-    });
+    Message message = warningMessage(
+        [what = contentOf(copy), place, count] { return offerText(what, place, count); });
     message.buttons.emplace_back([] { return tr("Recover"); },
                                  [this, copy] {
                                      if (openSession(copy)) {
