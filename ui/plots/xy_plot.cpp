@@ -223,7 +223,7 @@ struct Legend {
     std::vector<std::vector<StripEntry>> rows;
     int left = legend_inset;
 
-    bool beside_name() const { return left != legend_inset; }
+    bool besideName() const { return left != legend_inset; }
     int height() const { return head_height * static_cast<int>(rows.size()); }
 };
 
@@ -259,7 +259,7 @@ Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, in
 }
 
 int headOf(const XYPlot& content, const Legend& legend) {
-    return std::max(content.least_head, legend.height() + (legend.beside_name() ? 0 : head_height));
+    return std::max(content.least_head, legend.height() + (legend.besideName() ? 0 : head_height));
 }
 
 }  // namespace
