@@ -19,10 +19,10 @@
 #include "ui/plots/plot_stack.h"
 #include "ui/plots/track_view.h"
 #include "ui/report/report_document.h"
-#include "ui/resonator/resonator_text.h"
 #include "ui/session/session_keeper.h"
 #include "ui/values/shown_analysis.h"
 #include "ui/widgets/theme.h"
+#include "ui/words/error_text.h"
 
 #include <QEventLoop>
 #include <QFileInfo>
@@ -162,10 +162,8 @@ Result<ui::ReportRecording> reported(const Recording& recording, const Recording
     warn(without_effect(listed.open, recording));
     auto analysis = TRY(analyse_warned(recording, settings, job));
     auto faults = TRY(inspect(recording, settings, job));
-    ui::ReportRecording told =
-        ui::reportRecording(recording, QString::fromStdString(listed.sha256));
+    ui::ReportRecording told{listed, ui::formatText(recording.format)};
     told.check = std::move(faults.findings);
-    told.conditions = ui::conditionsText(listed);
     told.analyses.push_back(shown_analysis(recording, std::move(analysis), index));
     return told;
 }
@@ -173,8 +171,9 @@ Result<ui::ReportRecording> reported(const Recording& recording, const Recording
 Status add_resonator(const OpenSet& open, const JobControl& job, ui::ReportContent& content) {
     Result<SetResult> found = identify_set(open, {}, {}, job);
     if (open.set.settings.logs.given()) {
-        std::ranges::transform(open.set.recordings, std::back_inserter(content.recordings),
-                               ui::reportLog);
+        for (const RecordingRef& log : open.set.recordings) {
+            content.recordings.push_back({log});
+        }
     }
     if (found) {
         content.outcome = std::make_shared<SetResult>(std::move(*found));

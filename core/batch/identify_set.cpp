@@ -151,6 +151,12 @@ Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
     return open;
 }
 
+void set_extent(RecordingRef& told, const Recording& recording) {
+    told.start = recording.start;
+    told.seconds = recording.seconds();
+    told.rate_hz = recording.rate_hz;
+}
+
 Status read_contents(OpenSet& open, std::stop_token stop) {
     if (open.set.settings.logs.given()) {
         return read_logs(open, JobControl(std::move(stop)));
@@ -160,9 +166,7 @@ Status read_contents(OpenSet& open, std::stop_token stop) {
     for (std::size_t k = 0; k < open.recordings.size(); ++k) {
         const Recording& recording = open.recordings[k];
         RecordingRef& told = open.set.recordings[k];
-        told.start = recording.start;
-        told.seconds = recording.seconds();
-        told.rate_hz = recording.rate_hz;
+        set_extent(told, recording);
         const auto [same, is_new] = known.emplace(signals_of(told, recording), &recording);
         if (!is_new) {
             return Error{ErrorCode::same_recording,

@@ -56,6 +56,9 @@ Result<PassportComparison> open_passport(const std::string& path, const JobContr
 Result<OpenSet> open_set(const MeasurementSet& set, const std::string& passport,
                          std::stop_token stop);
 
+// Start, length and sampling rate of the recording that is open.
+void set_extent(RecordingRef& told, const Recording& recording);
+
 // Reads the contents of the recordings into the set; hashes those without a SHA-256, all beside
 // each other. Of a set of logs it reads these, too. Errors: same_recording where two have the same
 // file content and the same two channels, those of recording_sha256(), read_phasor_log() and

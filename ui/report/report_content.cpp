@@ -1,7 +1,7 @@
 #include "ui/report/report_content.h"
 
 #include "core/analysis/setting_table.h"
-#include "ui/resonator/resonator_text.h"
+#include "core/batch/identify_set.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/words/error_text.h"
 
@@ -117,29 +117,6 @@ ReportTitle completed(const ReportTitle& title, const ReportTitle& otherwise) {
     return whole;
 }
 
-ReportRecording reportRecording(const Recording& recording, const QString& sha256) {
-    ReportRecording told;
-    told.name = QString::fromStdString(recording.path.filename().string());
-    told.format = formatText(recording.format);
-    told.start = QString::fromStdString(recording.start);
-    told.sha256 = sha256;
-    told.rate_hz = recording.rate_hz;
-    told.seconds = recording.seconds();
-    return told;
-}
-
-ReportRecording reportLog(const RecordingRef& log) {
-    ReportRecording told;
-    told.name = QString::fromStdString(log.name());
-    told.format = QCoreApplication::translate("Report", "Log");
-    told.sha256 = QString::fromStdString(log.sha256);
-    told.rate_hz = log.rate_hz;
-    told.seconds = log.seconds;
-    told.is_log = true;
-    told.conditions = conditionsText(log);
-    return told;
-}
-
 bool ofLogsAlone(const ReportContent& content) {
     return content.recordings.empty() && content.drift;
 }
@@ -163,7 +140,7 @@ QString firstAndLast(const QStringList& texts) {
 QString measuredOn(const std::vector<ReportRecording>& recordings) {
     QStringList starts;
     for (const ReportRecording& each : recordings) {
-        if (const QString start = dateText(each.start);
+        if (const QString start = dateText(QString::fromStdString(each.file.start));
             !start.isEmpty() && !starts.contains(start)) {
             starts << start;
         }
@@ -250,12 +227,14 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     const RecordingSet* set = identifiedSet(document, subject);
     for (const RecordingId id : subject.recordings) {
         const RecordingEntry& entry = *document.recording(id);
-        ReportRecording told = reportRecording(*entry.recording, entry.sha256);
+        const auto row = set ? rowOf(*set, id) : std::nullopt;
+        ReportRecording told{row ? set->listed->recordings[*row]
+                                 : RecordingRef{entry.name.toStdString(), entry.recording->path},
+                             formatText(entry.recording->format)};
+        set_extent(told.file, *entry.recording);
+        told.file.sha256 = entry.sha256.toStdString();
         if (entry.faults) {
             told.check = entry.faults->findings;
-        }
-        if (const auto row = set ? rowOf(*set, id) : std::nullopt) {
-            told.conditions = conditionsText(set->listed->recordings[*row]);
         }
         std::ranges::copy_if(document.analyses(), std::back_inserter(told.analyses),
                              [id](const AnalysisEntry& analysis) {
@@ -265,7 +244,7 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
     }
     if (set && isReportedLog(document, *set)) {
         for (const RecordingRef& log : document.sets().outcome(*set)->set.recordings) {
-            content.recordings.push_back(reportLog(log));
+            content.recordings.push_back({log});
         }
     }
     content.title.date = measuredOn(content.recordings);

@@ -66,24 +66,15 @@ inline constexpr std::array<TitleField, 6> title_fields{{
      &ReportTitle::comment, &Conditions::comment},
 }};
 
+// A recording, or a log, as it was read, with what the report shows of it.
 struct ReportRecording {
-    QString name;
-    QString format;  // formatText()
-    QString start;   // date and time from the file, or empty
-    QString sha256;  // empty: not known yet
-    double rate_hz = 0;
-    double seconds = 0;
-    bool is_log = false;  // in place of a recording: without samples to check
-    std::optional<std::vector<Diagnostic>> check;  // findings; none: not finished yet
-    QStringList conditions;                        // of a measurement list, conditionsText()
-    std::vector<AnalysisEntry> analyses;
+    RecordingRef file;                               // without a hash: not computed yet
+    QString format{};                                // formatText(); empty: a log
+    std::optional<std::vector<Diagnostic>> check{};  // findings; none: not finished yet
+    std::vector<AnalysisEntry> analyses{};
+
+    QString name() const { return QString::fromStdString(file.name()); }
 };
-
-// Without check, conditions and analyses.
-ReportRecording reportRecording(const Recording& recording, const QString& sha256);
-
-// Of a log, as its identification has read it.
-ReportRecording reportLog(const RecordingRef& log);
 
 // The title by the measurement list of a set; where recordings differ, all of it. `usual` where the
 // list has no text.

@@ -410,7 +410,7 @@ QDate reportDay() {
 ReportText reportTextOf(const ReportContent& content, const QString& program, QDate made) {
     QStringList names;
     for (const ReportRecording& recording : content.recordings) {
-        names << recording.name;
+        names << recording.name();
     }
     for (std::size_t k = 0; ofLogsAlone(content) && k < content.drift->drift.logs.size(); ++k) {
         names << QString::fromStdString(content.drift->drift.logs[k].name);

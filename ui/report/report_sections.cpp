@@ -183,7 +183,7 @@ QString figures(const ReportContent& content) {
 QString resultSection(const ReportContent& content) {
     QStringList names;
     for (const ReportRecording& recording : content.recordings) {
-        names << recording.name;
+        names << recording.name();
     }
     QString text = heading(ReportWords::tr("Result"));
     if (!names.isEmpty()) {
@@ -291,20 +291,22 @@ QString recordingsSection(const ReportContent& content) {
                     {},
                     {26, 29, 18, 14, 13}};
     for (const ReportRecording& each : content.recordings) {
-        table.rows.push_back({bold(each.name), each.format.toHtmlEscaped(),
-                              each.start.isEmpty() ? none : dateText(each.start).toHtmlEscaped(),
-                              rateText(each.rate_hz), seconds(each.seconds, 3)});
-        const QString hash = each.sha256.isEmpty()
+        const QString start = QString::fromStdString(each.file.start);
+        table.rows.push_back(
+            {bold(each.name()),
+             each.format.isEmpty() ? ReportWords::tr("Log") : each.format.toHtmlEscaped(),
+             start.isEmpty() ? none : dateText(start).toHtmlEscaped(), rateText(each.file.rate_hz),
+             seconds(each.file.seconds, 3)});
+        const QString hash = each.file.sha256.empty()
                                  ? ReportWords::tr("not computed yet").toHtmlEscaped()
-                                 : monospaced(each.sha256);
+                                 : monospaced(QString::fromStdString(each.file.sha256));
         table.rows.push_back({QStringLiteral("SHA-256: ") + hash});
-        if (!each.is_log) {
+        if (!each.format.isEmpty()) {
             table.rows.push_back({ReportWords::tr("Check: %1").arg(richText(checkText(each)))});
         }
-        if (!each.conditions.isEmpty()) {
-            table.rows.push_back(
-                {ReportWords::tr("Conditions: %1")
-                     .arg(each.conditions.join(QStringLiteral("; ")).toHtmlEscaped())});
+        if (const QStringList conditions = conditionsText(each.file); !conditions.isEmpty()) {
+            table.rows.push_back({ReportWords::tr("Conditions: %1")
+                                      .arg(conditions.join(QStringLiteral("; ")).toHtmlEscaped())});
         }
     }
     return heading(ReportWords::tr("Recordings"), true) + html(table);
@@ -325,7 +327,7 @@ QString settingsSection(const ReportContent& content) {
         for (const AnalysisEntry& each : recording.analyses) {
             const Analysis& analysis = *each.shown.analysis;
             table.rows.push_back(
-                {recording.name.toHtmlEscaped(),
+                {recording.name().toHtmlEscaped(),
                  algorithmText(analysis.settings.algorithm).toHtmlEscaped(),
                  richText(QStringLiteral("%1, %2").arg(countLabel(analysis.plan.length),
                                                        countLabel(analysis.plan.hop))),
@@ -353,7 +355,7 @@ QString plotsSection(const ReportContent& content) {
     for (std::size_t k = 0; k < content.recordings.size(); ++k) {
         if (!content.recordings[k].analyses.empty()) {
             text += heading(ReportWords::tr("Slow variables: %1")
-                                .arg(inOneLine(content.recordings[k].name)),
+                                .arg(inOneLine(content.recordings[k].name())),
                             true) +
                     figureHtml(plotsName(content, k));
         }
@@ -383,7 +385,7 @@ QString eventsSection(const ReportContent& content) {
     QString tables;
     for (const ReportRecording& recording : content.recordings) {
         for (const AnalysisEntry& each : recording.analyses) {
-            tables += eventsTable(QStringLiteral("%1, %2").arg(recording.name, each.shown.name),
+            tables += eventsTable(QStringLiteral("%1, %2").arg(recording.name(), each.shown.name),
                                   each.events);
         }
     }
@@ -401,7 +403,7 @@ std::vector<NamedWarnings> warningsOfAnalyses(const ReportContent& content) {
                 return recording.check &&
                        std::ranges::find(*recording.check, diagnostic) != recording.check->end();
             });
-            all.emplace_back(recording.name.toStdString(), std::move(found));
+            all.emplace_back(recording.file.name(), std::move(found));
         }
     }
     return all;
@@ -442,7 +444,7 @@ QString worstWarnings(const ReportContent& content) {
     }
     for (const ReportRecording& recording : content.recordings) {
         if (recording.check) {
-            all.emplace_back(recording.name.toStdString(), *recording.check);
+            all.emplace_back(recording.file.name(), *recording.check);
         }
     }
     std::vector<Finding> findings = findings_of(all);

@@ -7,6 +7,7 @@
 #include "ui/report/report_content.h"
 #include "ui/report/report_document.h"
 #include "ui/resonator/resonator_page.h"
+#include "ui/resonator/resonator_text.h"
 #include "ui/resonator/set_panel.h"
 #include "ui/session/session_keeper.h"
 #include "ui/window/export_dialogs.h"
@@ -177,8 +178,9 @@ private slots:
         QCOMPARE(contents[0].title.date, QString("2026-03-31"));
         QCOMPARE(contents[1].title.gyro, QString("G8"));
         QCOMPARE(contents[1].title.comment, QString("bench 2"));
-        QVERIFY(contents[0].recordings[0].conditions.contains("bias voltage: 100 V"));
-        QVERIFY(contents[0].recordings[0].conditions.contains("Bench: B1"));
+        const QStringList conditions = conditionsText(contents[0].recordings[0].file);
+        QVERIFY(conditions.contains("bias voltage: 100 V"));
+        QVERIFY(conditions.contains("Bench: B1"));
         QVERIFY2(chapterOf(contents[1]).html.contains("--from 1 --model structured") ||
                      chapterOf(contents[1]).html.contains("--model structured --from 1"),
                  qPrintable(optionsText(contents[1].outcome->identification.settings)));

@@ -128,9 +128,10 @@ private slots:
                 QVERIFY2(text.contains(content.title.*field.text), field.option);
             }
             for (const ReportRecording& each : content.recordings) {
-                QVERIFY2(text.contains(each.name), qPrintable(each.name));
-                QCOMPARE(each.sha256.size(), 64);
-                QVERIFY2(text.contains(each.sha256), qPrintable(each.sha256));
+                QVERIFY2(text.contains(each.name()), qPrintable(each.name()));
+                const QString sha256 = QString::fromStdString(each.file.sha256);
+                QCOMPARE(sha256.size(), 64);
+                QVERIFY2(text.contains(sha256), qPrintable(sha256));
                 for (const AnalysisEntry& analysis : each.analyses) {
                     const QString instant = QLocale().toString(analysis.summary.mean_at_s, 'f', 3);
                     QVERIFY2(text.contains(instant), qPrintable(instant));
@@ -247,7 +248,7 @@ private slots:
     // As on the axis of History and in file names: one date, whoever reads it.
     void dates_are_written_by_iso_8601_in_both_languages() {
         ReportRecording recording;
-        recording.start = "2026-11-28T09:59";
+        recording.file.start = "2026-11-28T09:59";
         for (const char* language : {"en", "ru"}) {
             window_->setLanguage(language);
             QCOMPARE(measuredOn({recording}), QString("2026-11-28 09:59"));
@@ -423,8 +424,9 @@ private slots:
                 output("pdftotext", {"-layout", "-f", QString::number(page), "-l",
                                      QString::number(page + 1), path, "-"});
             QVERIFY2(chapter.contains(content.set), qPrintable(chapter));
-            QVERIFY2(chapter.contains(content.recordings.front().name), qPrintable(chapter));
-            QVERIFY2(chapter.contains(content.recordings.front().sha256), qPrintable(chapter));
+            QVERIFY2(chapter.contains(content.recordings.front().name()), qPrintable(chapter));
+            const std::string& sha256 = content.recordings.front().file.sha256;
+            QVERIFY2(chapter.contains(QString::fromStdString(sha256)), qPrintable(chapter));
         }
     }
 
