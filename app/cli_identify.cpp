@@ -168,7 +168,7 @@ std::string relative_text(double relative) {
 
 std::string difference_text(const Difference& difference) {
     const std::string verdict = std::string(verdict_name(difference.verdict)) + ": ";
-    if (difference.verdict == Verdict::not_comparable) {
+    if (!difference.known()) {
         return line(label_of(difference.name), verdict + incomparable_text(difference));
     }
     const Estimate change{difference.change, difference.u, {}};

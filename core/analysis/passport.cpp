@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace vybeg {
 namespace {
@@ -79,6 +80,7 @@ private:
             return;
         }
         difference.relative = difference.change = difference.sd = difference.u = nan;
+        set_limit(difference, is_frequency);
         if (why == Incomparable::none) {
             why = !then.given()  ? Incomparable::then_unknown
                   : !now.given() ? Incomparable::now_unknown
@@ -97,7 +99,6 @@ private:
         if (is_frequency) {
             difference.u = std::hypot(difference.u, spread_hz_);
         }
-        set_limit(difference, is_frequency);
         // A relative change of a value near its noise is meaningless.
         if (period == 0 && std::abs(then.value) > single_changed_from * then.uncertainty()) {
             difference.relative = change / then.value;
@@ -191,9 +192,22 @@ private:
                                          std::abs(each.change) > each.limit &&
                                          (!what_follows || source_changed(each));
                     each.verdict = changed ? Verdict::changed : Verdict::unchanged;
+                } else if (!what_follows && is_beyond_bound(each, limit)) {
+                    each.verdict = Verdict::changed;
                 }
             }
         }
+    }
+
+    // Whether the value of one side lies that many deviations above the bound of the other. Of an
+    // axis the reason states the bound of its size.
+    static bool is_beyond_bound(const Difference& difference, double deviations) {
+        const bool given_then = difference.then.given();
+        const Estimate& value = given_then ? difference.then : difference.now;
+        const double above =
+            value.value - greatest_of(given_then ? difference.now : difference.then);
+        return std::string_view(difference.unit) != "rad" && value.given() &&
+               above >= deviations * value.uncertainty() && above > difference.limit;
     }
 
     // The same owner's parameter: "modes[0].tau_s" of "modes[0].q". Null: it is not compared.

@@ -6,6 +6,7 @@
 #include "core/resonator/results/resonator_fit.h"
 #include "core/resonator/runs/run_track.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -48,15 +49,16 @@ struct Difference {
     const char* unit = "";
     Estimate then;
     Estimate now;
-    double change = 0;    // now - then, axes by the shorter way; NaN: not comparable
+    double change = 0;    // now - then, axes by the shorter way; NaN: a side has no value
     double sd = 0;        // of the change: statistical
     double u = 0;         // with the channels' tolerances and, of a frequency, the runs' spread
     double relative = 0;  // change / then; NaN: an axis, or no reference
     double limit = 0;     // smaller changes count as none; unit of the change
     Verdict verdict{};
-    Incomparable why{};    // of not_comparable
+    Incomparable why{};    // where `change` is NaN
     bool follows = false;  // Q, beside a frequency and a decay time that are compared themselves
 
+    bool known() const { return !std::isnan(change); }
     double deviations() const;  // |change| / u
 };
 
@@ -99,10 +101,12 @@ std::size_t count_compared(const std::vector<Difference>& differences);
 // Changed: the difference exceeds changed_from(number of compared parameters) combined deviations,
 // both sides independent, and also the limit of a frequency and those of `options`. Q follows from
 // frequency and decay time: it has changed only where one of these has. Not comparable: one side
-// has no value, with its reason. Modes are compared if both sides name them alike. If the mean
-// frequency or the decay time of the resonator is not comparable, those of the runs' directions are
-// compared, each with the run of the passport of the nearest 2theta_A, within 0.1 rad modulo pi; u
-// then includes the effect of the undetermined split and anisotropy on the remaining angle.
+// has no value, with its reason; but a size that lies as far above the other side's bound, the
+// greatest size of a difference within its noise, has changed. Modes are compared if both sides
+// name them alike. If the mean frequency or the decay time of the resonator is not comparable,
+// those of the runs' directions are compared, each with the run of the passport of the nearest
+// 2theta_A, within 0.1 rad modulo pi; u then includes the effect of the undetermined split and
+// anisotropy on the remaining angle.
 std::vector<Difference> compare(const Passport& passport, const ResonatorFit& now,
                                 const CompareOptions& options = {});
 

@@ -279,7 +279,7 @@ Json differences_json(std::span<const Difference> differences) {
                     {"passport", quantity_json(difference.then)},
                     {"now", quantity_json(difference.now)},
                     {"verdict", verdict_name(difference.verdict)}};
-        if (difference.verdict == Verdict::not_comparable) {
+        if (!difference.known()) {
             object["change"] = {{"value", nullptr}, {"reason", incomparable_text(difference)}};
             object["relative"] = nullptr;
             object["deviations"] = nullptr;
@@ -288,7 +288,7 @@ Json differences_json(std::span<const Difference> differences) {
             object["relative"] = number_json(difference.relative);
             object["deviations"] = number_json(difference.deviations());
         }
-        if (difference.limit > 0) {
+        if (difference.known() && difference.limit > 0) {
             object["limit"] = difference.limit;
         }
         list.push_back(object);

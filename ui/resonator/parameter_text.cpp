@@ -219,12 +219,12 @@ QString verdictText(Verdict verdict) {
 
 QuantityCell changeCell(const Difference& difference, double factor, const Theme& theme) {
     const Verdict verdict = difference.verdict;
-    const bool known = verdict != Verdict::not_comparable;
-    return {
-        known ? verdictSign(verdict) + valueText(factor * difference.change, factor * difference.u)
-              : QString(),
-        {known ? exactText(factor * difference.change) : QString()},
-        verdictColor(verdict, theme)};
+    const bool known = difference.known();
+    const QString text = known ? valueText(factor * difference.change, factor * difference.u)
+                               : verdictWord(verdict);  // beyond a bound
+    return {verdict == Verdict::not_comparable ? QString() : verdictSign(verdict) + text,
+            {known ? exactText(factor * difference.change) : QString()},
+            verdictColor(verdict, theme)};
 }
 
 QString differenceSymbol(const std::string& name) {
@@ -237,7 +237,7 @@ QString differenceSymbol(const std::string& name) {
 QStringList incomparableTexts(const std::vector<Difference>& differences) {
     std::vector<std::pair<QString, QStringList>> reasons;  // and the names of their parameters
     for (const Difference& difference : differences) {
-        if (difference.verdict != Verdict::not_comparable) {
+        if (difference.known()) {
             continue;
         }
         const QString reason = whyText(difference);
@@ -271,7 +271,7 @@ std::vector<QuantityRow> differenceRows(const std::vector<Difference>& differenc
         const Shown shown = shownAs(difference.name, difference.unit, units);
         const double sds =
             difference.change < 0 ? -difference.deviations() : difference.deviations();
-        const bool known = difference.verdict != Verdict::not_comparable;
+        const bool known = difference.known();
         const QuantityCell deviations{known ? deviationsText(sds) : QStringLiteral("—"),
                                       {known ? exactText(sds) : QString()},
                                       {}};

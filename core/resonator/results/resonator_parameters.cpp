@@ -34,19 +34,19 @@ std::vector<ErrorSource> sources_of(std::span<const ParameterBudget> budget) {
     return found;
 }
 
+double greatest_of(const Estimate& size) {
+    if (size.reason.code != ReasonCode::within_noise || size.reason.args.empty()) {
+        return std::nan("");
+    }
+    constexpr double half_a_digit = 5e-3;  // the reason has three digits
+    return parse_number(size.reason.args.front().text).value_or(std::nan("")) * (1 + half_a_digit);
+}
+
 Conformity conformity(const Estimate& estimate, const ParameterLimit& limit) {
     const double half = coverage_factor * estimate.uncertainty();
-    double least = estimate.value - half;
-    double most = estimate.value + half;
-    if (estimate.reason.code == ReasonCode::within_noise && !estimate.reason.args.empty()) {
-        // The size of a difference that is too small to be seen; the reason has three digits.
-        constexpr double half_a_digit = 5e-3;
-        least = 0;
-        most = parse_number(estimate.reason.args.front().text).value_or(std::nan("")) *
-               (1 + half_a_digit);
-    } else if (!estimate.given()) {
-        return Conformity::unknown;
-    }
+    const double bound = greatest_of(estimate);
+    const double least = std::isnan(bound) ? estimate.value - half : 0;
+    const double most = std::isnan(bound) ? estimate.value + half : bound;
     if (!(least <= most)) {
         return Conformity::unknown;
     }

@@ -116,6 +116,10 @@ struct ParameterLimit {
     friend bool operator==(const ParameterLimit&, const ParameterLimit&) = default;
 };
 
+// The greatest size of a difference within its noise, of which its reason speaks; NaN of any other
+// estimate.
+double greatest_of(const Estimate& size);
+
 // unknown: the parameter has neither value nor bound, or its coverage interval reaches over a
 // limit.
 enum class Conformity { unknown, within, outside };

@@ -109,6 +109,46 @@ private slots:
         QVERIFY(compare(pair_of().then, pair_of().now).empty());
     }
 
+    void a_size_beyond_the_bound_of_the_other_side_has_changed_data() {
+        QTest::addColumn<double>("size");
+        QTest::addColumn<double>("limit");
+        QTest::addColumn<bool>("changed");
+        // The bound has three digits: 2e-5 stands for up to 2.01e-5.
+        QTest::newRow("a balanced split") << 1e-3 << 0.0 << true;
+        QTest::newRow("three deviations above") << 2.311e-5 << 0.0 << true;
+        QTest::newRow("less than three above") << 2.309e-5 << 0.0 << false;
+        QTest::newRow("below the bound") << 1e-5 << 0.0 << false;
+        QTest::newRow("too little to matter") << 1e-3 << 9.9e-4 << false;
+        QTest::newRow("enough to matter") << 1e-3 << 9.7e-4 << true;
+    }
+
+    void a_size_beyond_the_bound_of_the_other_side_has_changed() {
+        QFETCH(double, size);
+        QFETCH(double, limit);
+        QFETCH(bool, changed);
+        const Estimate bound{
+            .reason = {ReasonCode::within_noise, {number_arg(2e-5, 3), unit_arg("Hz")}}};
+        for (const bool bound_now : {true, false}) {
+            Pair pair = pair_of();
+            pair.then.resonator.split_hz = pair.now.resonator.split_hz = {size, 1e-6, {}};
+            // An axis whose size is within its noise says nothing about the other side's axis.
+            pair.then.resonator.theta_w_rad = pair.now.resonator.theta_w_rad = {0.7, 1e-3, {}};
+            ResonatorEstimate& bounded = bound_now ? pair.now.resonator : pair.then.resonator;
+            bounded.split_hz = bounded.theta_w_rad = bound;
+            const std::vector<Difference> differences =
+                compare(pair.then, pair.now, {.limits = {{"split_hz", limit, false}}});
+            QCOMPARE(differences.size(), std::size_t{2});
+            for (const Difference& each : differences) {
+                const bool is_size = each.name == "split_hz";
+                QVERIFY(each.verdict ==
+                        (changed && is_size ? Verdict::changed : Verdict::not_comparable));
+                QVERIFY(!each.known());
+                QVERIFY(each.why ==
+                        (bound_now ? Incomparable::now_unknown : Incomparable::then_unknown));
+            }
+        }
+    }
+
     void modes_are_compared_one_by_one() {
         Pair pair = pair_of();
         ModeEstimate mode;
