@@ -184,7 +184,7 @@ std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring
         for (const SlowVariable variable : main_slow_variables) {
             if (auto trend =
                     fitTrend(analysis, variable, measuring.kind, *measuring.a_s, *measuring.b_s)) {
-                trends.push_back(std::move(*trend));
+                trends.push_back(*trend);
             }
         }
     }
@@ -380,6 +380,7 @@ QString mouseTable(const Document& document, const Measuring& measuring,
     return tableOf(
         head, shown_slow_variables, units, commonUnit(file_units), [&](SlowVariable variable) {
             std::vector<Reading> readings;
+            readings.reserve(shown.size());
             for (const ShownAnalysis* each : shown) {
                 readings.push_back(
                     readingOf(*each->analysis, variable, ReadAt::mouse, here, {}, units));

@@ -122,7 +122,9 @@ std::map<SlowVariable, AxisRange> commonValues(const Stacks& stacks,
     // A curve without a range of its own may lie at an end of the common one.
     constexpr double small = 0.5;
     constexpr double spare = 0.05;
-    for (auto& [variable, range] : common) {
+    for (auto& each : common) {
+        const SlowVariable variable = each.first;
+        AxisRange& range = each.second;
         const double span = range.span();
         const bool at_an_end = std::ranges::any_of(stacks, [&](const auto& stack) {
             const AxisRange own = stack->panel(variable)->automaticValues();
