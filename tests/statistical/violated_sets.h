@@ -87,7 +87,9 @@ inline PhasorRun driven_phasors(FreeDecay decay, std::int64_t window, std::uint6
     return run;
 }
 
-// `size`: relative size of a violation of part, kappa, tau, split. `runs`: 0 draws 2, 3, 4 or 6.
+// `size`: relative size of a violation of part, kappa, tau, split; of exchanged and sign the split,
+// Hz, of a good gyro at rest whose runs start 22.5 degrees apart, where the run's own frequency
+// makes up for other channels; 0: of any gyro and starts. `runs`: 0 draws 2, 3, 4 or 6.
 // `two_theta_zero`: of the electrode from which all angles count.
 inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size, std::size_t runs = 0,
                                 double two_theta_zero = 0) {
@@ -105,6 +107,13 @@ inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size, s
     const double step = random.one_of({0, pi / 4});
     const double first = random.uniform(-3, 3);
     const double quadrature = random.one_of({0, 0.01, 0.1});
+    const bool regular = size > 0 && (kind == SetKind::exchanged || kind == SetKind::sign);
+    if (regular) {
+        set.resonator.split_hz = size;
+        set.resonator.omega_rad_s = 0;
+        set.resonator.damping_anisotropy_per_s /= 30;
+        set.resonator.kappa = 1;
+    }
     for (std::size_t k = 0; k < count; ++k) {
         const bool bad = k == set.bad;
         FreeDecay run = bad && kind == SetKind::foreign ? other : set.resonator;
@@ -139,6 +148,10 @@ inline ViolatedSet violated_set(SetKind kind, std::uint64_t seed, double size, s
         run.kappa *= kappa;
         run.a_B = quadrature * random.uniform(-1, 1);
         run.two_theta_A = step > 0 ? first + static_cast<double>(k) * step : random.uniform(-3, 3);
+        if (regular) {
+            run.a_B /= 10;
+            run.two_theta_A = static_cast<double>((3 * k + seed) % 8) * pi / 4 + run.a_B;
+        }
         run.alpha = random.uniform(-3, 3);
         constexpr std::int64_t window = 3333;
         const std::uint64_t own = seed * 64 + k;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -25,6 +26,8 @@ using Eigen::VectorXd;
 constexpr std::size_t least_to_show = 4;
 // Chi^2 between the first suspect and the next; by which an exchange has to lower it.
 constexpr double margin = 12;
+// Chi^2 of channel errors beyond their tolerances: with such, all runs but one may be turned.
+constexpr double far_channels = 100;
 // Chi^2 above that of its own fit up to which a run counts as brought back.
 constexpr double brought_back = 25;
 // Sets without one run that are fitted; one more without a run whose own noise is this many times
@@ -135,7 +138,7 @@ public:
             return out;
         }
         if (runs_agree(problem_, joint_.p)) {
-            return agreeing();
+            return count_ >= least_to_show && name_turned(out, true) ? out : agreeing();
         }
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             alone_.push_back(fit_alone(k, problem_.runs[k]));
@@ -147,17 +150,17 @@ public:
             return out;
         }
         out.own_noise = std::ranges::max(noise_);
+        if (name_turned(out, false)) {
+            return out;
+        }
         if (runs_agree(problem_, joint_.p, noise_)) {
             return agreeing();
         }
         if (structured_) {
             Spread spread = spread_of(problem_, joint_.p, noise_, true, job_);
             if (spread.explains) {
-                out.spread.sd = spread.sd;
-                if (!name_turned(out)) {
-                    out.verdict = SetVerdict::spread;
-                    out.spread = std::move(spread);
-                }
+                out.verdict = SetVerdict::spread;
+                out.spread = std::move(spread);
                 return out;
             }
         }
@@ -194,25 +197,62 @@ private:
                         job_);
     }
 
-    // Exchanged channels or a changed sign of D in one run that a spread would hide.
-    bool name_turned(SetExamination& out) const {
-        if (count_ > 2 * most_trials) {
+    // Whether the run, with its own start and frequency, is nearly one of the joint fit; of a set
+    // that agrees most runs with other channels are far from it.
+    bool may_belong(std::size_t k, const ScaledRun& run) const {
+        constexpr double far = 1e3;  // chi^2 per degree of freedom
+        FitProblem one = part_of(problem_, std::array{k});
+        one.runs[0] = run;
+        one.priors.mean.head(shared_count) = joint_.p.head(shared_count);
+        one.priors.sd.head(shared_count).setZero();
+        const VectorXd start = part_of(problem_.layout, joint_.p, std::array{k});
+        return minimise(one, start, refit_steps, job_).chi2 < far * degrees_of_freedom(one);
+    }
+
+    // Exchanged channels or a reversed sign of D in one run, which a spread or an event would hide,
+    // or for which the run's own frequency and start and small changes of what the runs share
+    // nearly make up. `agrees`: the set does.
+    bool name_turned(SetExamination& out, bool agrees) const {
+        if (!structured_ || count_ > 2 * most_trials) {
             return false;
         }
+        struct Trial {
+            double fall = 0;
+            std::size_t run = 0;
+            const char* cause = nullptr;
+        };
+        const double enough = margin * std::ranges::max(noise_);
+        std::vector<Trial> better;
         for (std::size_t k = 0; k < count_ && !job_.cancelled(); ++k) {
             for (const auto& [cause, run] : with_other_channels(problem_.runs[k])) {
+                if (agrees && !may_belong(k, run)) {
+                    continue;
+                }
                 FitProblem problem = problem_;
                 problem.runs[k] = run;
                 const PartFit turned = part_fit(std::move(problem), joint_.p, job_, joint_.cost);
                 const double fall = joint_.cost - turned.fit.cost;
-                if (fall > margin && runs_agree(turned.problem, turned.fit.p, noise_)) {
-                    out.foreign.push_back(k);
-                    out.cause = words(cause, {recording_arg(out.foreign.front())});
+                const bool likely = turned.fit.cost < turned.fit.chi2 + far_channels;
+                if (fall > enough && likely && runs_agree(turned.problem, turned.fit.p, noise_)) {
+                    better.push_back({fall, k, cause});
                 }
             }
         }
+        if (better.empty()) {
+            return false;
+        }
+        std::ranges::stable_sort(better, std::greater(), &Trial::fall);
+        for (const Trial& trial : better) {
+            if (trial.fall > better.front().fall - enough &&
+                std::ranges::find(out.foreign, trial.run) == out.foreign.end()) {
+                out.foreign.push_back(trial.run);
+            }
+        }
+        out.cause = words(better.front().cause, {recording_arg(better.front().run)});
+        out.cost = joint_.cost - better.front().fall;
+        out.by_channels = true;
         out.verdict = out.foreign.size() > 1 ? SetVerdict::several : SetVerdict::foreign;
-        return !out.foreign.empty();
+        return true;
     }
 
     // The runs whose removal to try, the likeliest first.

@@ -24,6 +24,7 @@ struct SetExamination {
     SetVerdict verdict = SetVerdict::fits;
     std::vector<std::size_t> foreign;  // the suspects, the likeliest first
     double cost = 0;                   // of the others and the likeliest, each alone
+    bool by_channels = false;  // other channels of one run fit better: no common cause does that
     // What makes the likeliest one of the set again, or which of its numbers disagrees: words.
     MessageArg cause;
     Spread spread;  // of verdict `spread`; of other sets that agree the sd alone

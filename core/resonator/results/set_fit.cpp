@@ -231,7 +231,7 @@ void SetFit::examine() {
         }
         set_.fit = minimise(problem_, examination_.spread.p, cubic_steps, task_.job);
     }
-    if (agrees() || set_.model == ResonatorModel::free) {
+    if (agrees() || examination_.by_channels || set_.model == ResonatorModel::free) {
         return;
     }
     const std::optional<MisfitCause> cause =
