@@ -3715,6 +3715,14 @@
         <source>leakage, algorithm %1</source>
         <translation>утечка, алгоритм %1</translation>
     </message>
+    <message>
+        <source>The wave moves inside %1 of its %2 windows, of which an analysis warns; its errors are the least all the same.</source>
+        <translation>Волна меняется внутри %1 из %2 таких окон, о чём предупредит расчёт; погрешности всё же наименьшие.</translation>
+    </message>
+    <message>
+        <source>Without the warning n = %1 is the best, with an error %2 times as large.</source>
+        <translation>Без предупреждения лучшее n = %1, его погрешность больше в %2 раза.</translation>
+    </message>
 </context>
 <context>
     <name>Words</name>

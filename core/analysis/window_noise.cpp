@@ -307,7 +307,12 @@ double NoiseLevel::apart(const WaveEstimate& window, double centre_s) const {
     const double of_long = known_ ? known_->of_long.phasors : level;
     const double variance = 2 * of_short * of_short / static_cast<double>(short_) +
                             2 * of_long * of_long / static_cast<double>(length_);
-    const Phasors phasors = to_phasors(window.state);
+    // Of the best wave: the leakage of an algorithm is no motion.
+    const WaveState& state = window.state;
+    const WaveErrors& leakage = window.leakage;
+    const Phasors phasors =
+        to_phasors({state.a_A - leakage.a_A, state.a_B - leakage.a_B,
+                    state.two_theta_A - leakage.two_theta_A, state.alpha - leakage.alpha});
     return (std::norm(at->phasors.c - phasors.c) + std::norm(at->phasors.d - phasors.d)) / variance;
 }
 

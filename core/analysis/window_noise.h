@@ -54,8 +54,8 @@ public:
     // exceed the deviations. Factor of the variances, at least 1: of the fourth differences in the
     // runs, to which no motion of a wave contributes over so few periods.
     double excess() const { return excess_; }
-    // Mean squared distance of the short window at the window's centre from the window's wave, by
-    // its variance: a linear motion has its mean there. NaN for none.
+    // Mean squared distance of the short window at the window's centre from the window's best wave,
+    // by its variance: a linear motion has its mean there. NaN for none.
     double apart(const WaveEstimate& window, double centre_s) const;
     // A flag a window of the stretch: whether its residual is far above the level or its short
     // window far from its wave; all of them where they together lie apart from their short windows,

@@ -373,15 +373,18 @@ Result<SweepLength> in_windows(const WindowPlan& plan, const WindowSweep& sweep,
         noise = equivalent_noise(sweep.white_noise, *prepared.filter, prepared.f0_hz, plan.length,
                                  rate);
     }
-    NeighbourScatter scatter(plan, rate, prepared.calibration.two_theta_zero(),
-                             windows_over(faults, plan, prepared.filter_reach), noise);
+    const auto over_faults = windows_over(faults, plan, prepared.filter_reach);
+    NeighbourScatter scatter(plan, rate, prepared.calibration.two_theta_zero(), over_faults, noise);
     const TrackSink sink = [&](const Track& rows) -> Status {
         scatter.take(rows);
         return {};
     };
-    TRY(estimate_track(prepared, plan, sweep.settings, rate, threads_of(sweep.settings.threads),
-                       sink, job));
+    const EstimationSummary summary = TRY(estimate_track(
+        prepared, plan, sweep.settings, rate, threads_of(sweep.settings.threads), sink, job));
     SweepLength found = scatter.finish();
+    for (const FlaggedRows& rows : moving_apart(summary.moving, over_faults, plan)) {
+        found.moving += static_cast<std::int64_t>(rows.count);
+    }
     for (std::size_t k = 0; k < closed_form_algorithms.size() && !waves.empty(); ++k) {
         const auto leakage =
             form_leakage(closed_form_algorithms[k], waves, plan.length, prepared.f0_hz, rate);

@@ -5,6 +5,8 @@ namespace {
 
 constexpr double same_loss = 1.25;
 constexpr double dominant = 3;
+// Loss of a length without windows flagged as moving, over that of one with them.
+constexpr double worth_a_warning = 2;
 
 struct Loss {
     double ratio = 0;
@@ -122,6 +124,23 @@ std::optional<WindowAdvice> advise_window(std::span<const SweepLength> measured)
     const double least = std::ranges::min_element(losses, {}, &Loss::ratio)->ratio;
     while (losses[advice.best].ratio > same_loss * least) {
         ++advice.best;
+    }
+    if (lengths[advice.best].moving > 0) {
+        for (std::size_t k = 0; k < lengths.size(); ++k) {
+            if (lengths[k].moving == 0 && std::isfinite(losses[k].ratio) &&
+                (!advice.quiet || losses[k].ratio < losses[*advice.quiet].ratio)) {
+                advice.quiet = k;
+            }
+        }
+        if (advice.quiet) {
+            const double loss = losses[*advice.quiet].ratio / losses[advice.best].ratio;
+            if (loss <= worth_a_warning) {
+                advice.best = *advice.quiet;
+                advice.quiet.reset();
+            } else {
+                advice.quiet_loss = loss;
+            }
+        }
     }
     advice.loss = losses[advice.best].ratio;
     advice.loser = losses[advice.best].variable;

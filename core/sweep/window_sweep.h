@@ -49,6 +49,7 @@ struct SweepLength {
     std::int64_t length = 0;          // samples
     std::int64_t windows = 0;         // one after the other
     std::int64_t used = 0;            // of these, not over faults of the samples, converged
+    std::int64_t moving = 0;          // those that an analysis flags, and warns of (Flag::moving)
     double rms = SweepValue::none;    // of the residual, root of the mean square, recording units
     double noise = SweepValue::none;  // per sample, from that residual
     std::array<SweepValue, sweep_variable_count> values;
@@ -71,6 +72,10 @@ struct WindowAdvice {
     std::size_t variable = 0;  // the one that motion or scatter worsens most in the next window
     double loss = 1;           // largest ratio of an error to its least in the list, at `best`
     std::size_t loser = 0;     // the variable of that ratio
+    // Where windows of `best` are flagged as moving: the best length without such windows, and its
+    // loss over that of `best`.
+    std::optional<std::size_t> quiet = std::nullopt;
+    double quiet_loss = 1;
 };
 inline constexpr double loss_span = 1.5;
 
@@ -90,7 +95,8 @@ struct WindowSweep {
 
 // The length at which the largest loss is least. The loss of a variable is its expected error
 // (SweepValue::error()) over the least one in the list: errors of different units become
-// comparable, and no variable is sacrificed. Of lengths of nearly the same loss it is the shortest.
+// comparable, and no variable is sacrificed. Of lengths of nearly the same loss it is the shortest,
+// and one without windows that an analysis flags as moving goes before one of half the loss.
 // A variable that has no error in most lengths does not count, nor a length in which another
 // variable has none. `lengths` ascend. Nothing for fewer than two lengths.
 std::optional<WindowAdvice> advise_window(std::span<const SweepLength> lengths);

@@ -38,6 +38,14 @@ double error_of(const Track& track, const Track& truth, SlowVariable variable) {
     return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::nan("");
 }
 
+std::int64_t moving_in(const Analysis& analysis) {
+    std::int64_t windows = 0;
+    for (const FlaggedRows& rows : analysis.flagged) {
+        windows += rows.flag == Flag::moving ? static_cast<std::int64_t>(rows.count) : 0;
+    }
+    return windows;
+}
+
 }  // namespace
 
 // The rule of the advice against the truth: the largest loss of the recommended window, by the
@@ -48,6 +56,45 @@ class TestWindowAdvice : public QObject {
     Q_OBJECT
 
 private slots:
+    // Of waves that turn slowly, by every algorithm: the leakage of a closed form is no motion.
+    void an_analysis_does_not_warn_of_the_recommended_window_data() {
+        QTest::addColumn<double>("decibels");
+        QTest::addColumn<double>("split");
+        QTest::addColumn<int>("algorithm");
+        for (const Algorithm algorithm : all_algorithms) {
+            for (const double decibels : {40.0, 60.0, 80.0}) {
+                for (const double split : {0.0, 0.012}) {
+                    QTest::addRow("%g dB, split %g Hz, %s", decibels, split,
+                                  algorithm_name(algorithm).data())
+                        << decibels << split << static_cast<int>(algorithm);
+                }
+            }
+        }
+    }
+
+    void an_analysis_does_not_warn_of_the_recommended_window() {
+        QFETCH(double, decibels);
+        QFETCH(double, split);
+        QFETCH(int, algorithm);
+        FreeDecay decay = demo_decay();
+        decay.seconds = 10;
+        decay.split_hz = split;
+        decay.noise = std::pow(10, -decibels / 20);
+        const Recording recording = test::simulated_recording(decay);
+        Settings settings;
+        settings.algorithm = static_cast<Algorithm>(algorithm);
+        const auto sweep = sweep_windows(recording, settings, spaced_lengths(6, 600), JobControl());
+        QVERIFY(sweep);
+        QVERIFY(sweep->advice);
+        settings.window = sweep->lengths[sweep->advice->best].length;
+        const auto analysis = analyse(recording, settings, JobControl());
+        QVERIFY(analysis);
+        QCOMPARE(moving_in(*analysis), 0);
+        QVERIFY(std::ranges::none_of(analysis->diagnostics, [](const Diagnostic& each) {
+            return each.kind == DiagnosticKind::wave_moves;
+        }));
+    }
+
     void the_recommended_window_is_near_the_best_data() {
         QTest::addColumn<double>("carrier");
         QTest::addColumn<double>("decibels");
@@ -111,6 +158,8 @@ private slots:
             const auto analysis = analyse(recording, settings, JobControl());
             const auto truth = true_track(decay, each.length);
             QVERIFY(analysis && truth);
+            // The sweep and an analysis warn by one criterion.
+            QCOMPARE(each.moving, moving_in(*analysis));
             auto& of_length = errors.emplace_back();
             for (std::size_t v = 0; v < sweep_variable_count; ++v) {
                 of_length[v] = error_of(analysis->track, *truth, main_slow_variables[v]);
@@ -139,6 +188,11 @@ private slots:
         }
         const double best = *std::ranges::min_element(losses);
         const double found = losses[sweep->advice->best];
+        // Where an analysis warns of the advice, the best length of which it does not is told.
+        const WindowAdvice& advice = *sweep->advice;
+        QVERIFY(!advice.quiet || sweep->lengths[*advice.quiet].moving == 0);
+        QVERIFY(!advice.quiet || sweep->lengths[advice.best].moving > 0);
+        QVERIFY(!advice.quiet || advice.quiet_loss > 2);
         if (qEnvironmentVariableIsSet("VYBEG_SHOW")) {
             qInfo("n = %d: %.2f of the best%s", int(sweep->lengths[sweep->advice->best].length),
                   found / best, found > 2.5 * best ? qPrintable(table) : "");

@@ -80,7 +80,9 @@ int XYPlotView::head() const {
 }
 
 Figure XYPlotView::figure() const {
-    return {xyDrawing(content_), {640, 420}, objectName()};
+    XYPlot alone = content_;  // without the plot below that names the axis of both
+    alone.x_below = false;
+    return {xyDrawing(alone), {640, 420}, objectName()};
 }
 
 void XYPlotView::setPickable(std::optional<std::size_t> series) {

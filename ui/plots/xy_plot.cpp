@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 
 namespace vybeg::ui {
 
@@ -69,8 +71,9 @@ QCPAxis::AxisType sideOf(const XYPlot& content, bool y) {
 // Axis rectangle with names in the style of the track's plots.
 class XYPanel : public FramedPanel {
 public:
-    XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, int head, QSize room)
-        : FramedPanel(plot, {left_margin, head, right_margin, footOf(content)}), content_(content) {
+    XYPanel(QCustomPlot* plot, const XYPlot& content, const Theme& theme, const QMargins& around,
+            QSize room)
+        : FramedPanel(plot, around), content_(content) {
         setExpectedSize(room);
         setLook(theme, plotFont(*plot));
         for (QCPAxis* side : {axis(QCPAxis::atBottom), axis(QCPAxis::atLeft)}) {
@@ -258,6 +261,96 @@ Legend legendOf(const XYPlot& content, const Theme& theme, const QFont& font, in
     return legend;
 }
 
+constexpr int leader_length = 14;  // from the frame to a name, at least
+
+// Pixels right of the frame.
+int tailOf(const XYPlot& content, const QFont& font, int width) {
+    int widest = 0;
+    for (const QString& name : content.names_at_ends) {
+        widest = std::max(widest, QFontMetrics(font).horizontalAdvance(name));
+    }
+    return 0 < widest && widest <= width / 3 ? leader_length + widest + 4 : right_margin;
+}
+
+// Middles of lines of a height, as near to the ascending `wishes` as the lines can be without
+// touching each other, between two limits.
+std::vector<double> apart(std::vector<double> wishes, double height, double low, double high) {
+    // The nearest ascending values to the wishes less the lines before them (isotonic regression).
+    const auto count = static_cast<std::ptrdiff_t>(wishes.size());
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        wishes[static_cast<std::size_t>(k)] -= static_cast<double>(k) * height;
+    }
+    const double last = high - static_cast<double>(count - 1) * height;
+    std::vector<double> middles;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        double highest = low;
+        for (std::ptrdiff_t from = 0; from <= k; ++from) {
+            double lowest = last;
+            for (std::ptrdiff_t to = k; to < count; ++to) {
+                const double sum =
+                    std::accumulate(wishes.begin() + from, wishes.begin() + to + 1, 0.0);
+                lowest = std::min(lowest, sum / static_cast<double>(to - from + 1));
+            }
+            highest = std::max(highest, lowest);
+        }
+        middles.push_back(highest + static_cast<double>(k) * height);
+    }
+    return middles;
+}
+
+// Names right of the frame, each at the height of the end of its curve, to which a pale line leads.
+void nameEnds(QCustomPlot& plot, const Axes& axes, const XYPlot& content, const Theme& theme,
+              const QRect& frame) {
+    struct End {
+        const XYSeries* series;
+        std::size_t point;
+        double height;
+    };
+    const AxisRange x = shownPlaces(content);
+    const AxisRange y = shownValues(content);
+    const auto scaled = [&](double value) {
+        return content.y_logarithmic ? std::log(value) : value;
+    };
+    std::vector<End> ends;
+    for (const XYSeries& series : content.series) {
+        for (std::size_t k = series.name.isEmpty() ? 0 : series.x.size(); k-- > 0;) {
+            const double share =
+                (scaled(series.y[k]) - scaled(y.lower)) / (scaled(y.upper) - scaled(y.lower));
+            if (x.lower <= series.x[k] && series.x[k] <= x.upper && std::isfinite(share)) {
+                ends.push_back(
+                    {&series, k, frame.bottom() - std::clamp(share, 0.0, 1.0) * frame.height()});
+                break;
+            }
+        }
+    }
+    std::ranges::stable_sort(ends, {}, &End::height);
+    std::vector<double> heights;
+    std::ranges::transform(ends, std::back_inserter(heights), &End::height);
+    const QFont font = plotFont(plot);
+    heights = apart(heights, QFontMetrics(font).height(), frame.top(), frame.bottom());
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+        const XYSeries& series = *ends[k].series;
+        const QColor color = penOf(series, theme).color();
+        const QPointF at(frame.right() + leader_length, heights[k]);
+        auto* leader = new QCPItemLine(&plot);
+        leader->setClipToAxisRect(false);
+        leader->setPen(QPen(translucent(color, 0.5), 1));
+        leader->start->setAxes(axes.first, axes.second);
+        leader->start->setCoords(series.x[ends[k].point],
+                                 std::clamp(series.y[ends[k].point], y.lower, y.upper));
+        auto* name = new QCPItemText(&plot);
+        name->setClipToAxisRect(false);
+        name->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        name->setFont(font);
+        name->setColor(color);
+        name->setText(series.name);
+        for (QCPItemPosition* place : {leader->end, name->position}) {
+            place->setType(QCPItemPosition::ptAbsolute);
+            place->setCoords(at);
+        }
+    }
+}
+
 int headOf(const XYPlot& content, const Legend& legend) {
     return std::max(content.least_head, legend.height() + (legend.besideName() ? 0 : head_height));
 }
@@ -299,21 +392,29 @@ XYSeries markOn(const XYSeries& points, std::size_t point, Ink ink) {
 
 void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, QSize size) {
     plot.clearPlottables();
+    plot.clearItems();
     preparePlot(plot, theme);
-    const Legend legend = legendOf(content, theme, plotFont(plot), size.width());
+    const QFont font = plotFont(plot);
+    const int tail = tailOf(content, font, size.width());
+    const int foot = footOf(content);
+    const auto names = std::ranges::count_if(
+        content.series, [](const XYSeries& series) { return !series.name.isEmpty(); });
+    const bool at_ends = tail != right_margin && (names - 1) * QFontMetrics(font).height() <=
+                                                     size.height() - head_height - foot;
+    const Legend legend = at_ends ? Legend() : legendOf(content, theme, font, size.width());
     int row = 0;
     for (const auto& entries : legend.rows) {
         auto* strip = new PlotStrip(&plot, head_height);
         strip->setInset(legend.left, right_margin, 0);
-        strip->setLook(plotFont(plot), theme.text);
+        strip->setLook(font, theme.text);
         strip->setEntries(entries, Qt::AlignLeft);
         plot.plotLayout()->addElement(row++, 0, strip);
     }
     // The panel draws the name of its axis over a row of the legend that leaves room for it.
     const int head = headOf(content, legend);
-    const int foot = footOf(content);
-    const QSize room(size.width() - left_margin - right_margin, size.height() - head - foot);
-    auto* panel = new XYPanel(&plot, content, theme, head - legend.height(), room);
+    const QSize room(size.width() - left_margin - tail, size.height() - head - foot);
+    auto* panel =
+        new XYPanel(&plot, content, theme, {left_margin, head - legend.height(), tail, foot}, room);
     plot.plotLayout()->addElement(row, 0, panel);
     const Axes axes{panel->axis(sideOf(content, false)), panel->axis(sideOf(content, true))};
     for (const XYSeries& series : content.series) {
@@ -328,6 +429,9 @@ void layOutXYPlot(QCustomPlot& plot, const XYPlot& content, const Theme& theme, 
     const AxisRange y = shownValues(content);
     axes.first->setRange(x.lower, x.upper);
     axes.second->setRange(y.lower, y.upper);
+    if (at_ends) {
+        nameEnds(plot, axes, content, theme, QRect(QPoint(left_margin, head), room));
+    }
 }
 
 int headOf(const XYPlot& content, const QFont& font, int width) {

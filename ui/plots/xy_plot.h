@@ -8,6 +8,7 @@
 #include <QFont>
 #include <QSize>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -61,6 +62,9 @@ struct XYPlot {
     bool turned = false;                 // x along the left axis, y along the lower one
     int least_head = 0;                  // pixels above the frame, as of a plot beside it
     std::vector<XYSeries> series{};
+    // Not empty: the curves are named at their right ends, with room for all of these: the names of
+    // this plot and of one with the same x axis. Where they have none, a legend names the curves.
+    QStringList names_at_ends{};
     QString empty{};  // text shown without series
 };
 

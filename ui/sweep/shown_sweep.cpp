@@ -1,5 +1,6 @@
 #include "ui/sweep/shown_sweep.h"
 
+#include "ui/plots/axis_ticks.h"
 #include "ui/words/error_text.h"
 #include "ui/words/rich_text.h"
 
@@ -119,6 +120,27 @@ QString reasonOf(const WindowSweep& sweep, const SweepView& view) {
     return {};
 }
 
+// Whether an analysis warns of windows of the recommended length, and which length it would not.
+QString motionText(const WindowSweep& sweep) {
+    const WindowAdvice& advice = *sweep.advice;
+    const SweepLength& best = sweep.lengths[advice.best];
+    if (best.moving == 0) {
+        return {};
+    }
+    const QString inside =
+        QStringLiteral(" ") + SweepWords::tr(
+                                  "The wave moves inside %1 of its %2 windows, of which an "
+                                  "analysis warns; its errors are the least all the same.")
+                                  .arg(countLabel(best.moving), countLabel(best.windows));
+    return advice.quiet ? inside + QStringLiteral(" ") +
+                              SweepWords::tr(
+                                  "Without the warning n = %1 is the best, with an "
+                                  "error %2 times as large.")
+                                  .arg(countLabel(sweep.lengths[*advice.quiet].length),
+                                       shortText(advice.quiet_loss))
+                        : inside;
+}
+
 // Neighbouring windows scatter by more than white noise, leakage and motion explain.
 QString coloredNoise(const WindowSweep& sweep, const SweepView& view) {
     constexpr double significant = 5;  // standard deviations
@@ -159,6 +181,43 @@ std::vector<Column> shownColumns(const WindowSweep& sweep, const SweepView& view
         });
     });
     return shown;
+}
+
+// A column of the table. Its head has the power of ten, of numbers that begin with zeros: one of
+// all deviations, and one of the residuals.
+struct TableColumn {
+    QString name;
+    QString unit;
+    ValueOf value;  // displayed
+    int power;
+};
+
+std::vector<TableColumn> tableColumns(const WindowSweep& sweep, const SweepView& view) {
+    const QString unit = sweepUnit(view, view.variable);
+    const double factor = sweepFactor(sweep, view, view.variable);
+    const auto of = [&](double SweepValue::*member) {
+        return [=, v = view.variable](const SweepLength& each) {
+            return factor * each.values[v].*member;
+        };
+    };
+    const auto powerOf = [&sweep](const ValueOf& value) {
+        Extent extent;
+        std::ranges::for_each(sweep.lengths,
+                              [&](const SweepLength& each) { extent.add(std::abs(value(each))); });
+        return 0 < extent.high && extent.high < 0.1
+                   ? 3 * static_cast<int>(std::floor(std::log10(extent.high) / 3))
+                   : 0;
+    };
+    const int power = powerOf(of(&SweepValue::scatter));
+    std::vector<TableColumn> table{
+        {SweepWords::tr("scatter"), unit, of(&SweepValue::scatter), power}};
+    for (const Column& column : shownColumns(sweep, view)) {
+        table.push_back({SweepWords::tr(column.name), unit, of(column.member), power});
+    }
+    const int of_residual = powerOf(&SweepLength::rms);
+    table.push_back({SweepWords::tr("rms"), view.channel_unit, &SweepLength::rms, of_residual});
+    table.push_back({SweepWords::tr("noise"), view.channel_unit, &SweepLength::noise, of_residual});
+    return table;
 }
 
 // E.g. "n = 60, 1.80 ms, 9.54 periods".
@@ -269,7 +328,7 @@ QString adviceText(const WindowSweep& sweep, const SweepView& view) {
                          countLabel(sweep.lengths[advice.longest].length),
                          shortText(loss_span * advice.loss));
     }
-    return text + coloredNoise(sweep, view);
+    return text + motionText(sweep) + coloredNoise(sweep, view);
 }
 
 QString refusedText(const WindowSweep& sweep) {
@@ -295,35 +354,30 @@ QString pointText(const WindowSweep& sweep, std::size_t length, const SweepView&
 }
 
 QStringList sweepHeaders(const WindowSweep& sweep, const SweepView& view) {
-    const QString unit = sweepUnit(view, view.variable);
-    QStringList headers{SweepWords::tr("windows"), withUnit(SweepWords::tr("scatter"), unit)};
-    for (const Column& column : shownColumns(sweep, view)) {
-        headers << withUnit(SweepWords::tr(column.name), unit);
+    QStringList headers{SweepWords::tr("windows")};
+    for (const TableColumn& column : tableColumns(sweep, view)) {
+        QString unit = scaledUnit(column.unit, false, column.power);
+        headers << withUnit(column.name, unit.replace(QLatin1Char(' '), QChar::Nbsp));
     }
-    return headers << withUnit(SweepWords::tr("rms"), view.channel_unit)
-                   << withUnit(SweepWords::tr("noise"), view.channel_unit);
+    return headers;
 }
 
 std::vector<QuantityRow> sweepRows(const WindowSweep& sweep, const SweepView& view) {
+    const std::vector<TableColumn> columns_shown = tableColumns(sweep, view);
     const double factor = sweepFactor(sweep, view, view.variable);
-    const auto cell = [](double value) {
-        return QuantityCell{threeDigits(value), {cellNumber(value)}, {}};
-    };
-    const std::vector<Column> shown = shownColumns(sweep, view);
     std::vector<QuantityRow> rows;
     for (std::size_t k = 0; k < sweep.lengths.size(); ++k) {
         const SweepLength& each = sweep.lengths[k];
-        const SweepValue& value = each.values[view.variable];
-        const double scatter = factor * value.scatter;
-        const double sd = factor * value.sd_scatter;
         QuantityRow row{countLabel(each.length), lengthText(sweep, k), {}};
         row.cells.push_back({countLabel(each.used), {QString::number(each.used)}, {}});
-        row.cells.push_back(measuredCell(scatter, sd));
-        for (const Column& column : shown) {
-            row.cells.push_back(cell(factor * value.*column.member));
+        for (const TableColumn& column : columns_shown) {
+            const double scale = std::pow(10, -column.power);
+            const double value = scale * column.value(each);
+            row.cells.push_back(
+                row.cells.size() == 1
+                    ? measuredCell(value, scale * factor * each.values[view.variable].sd_scatter)
+                    : QuantityCell{threeDigits(value), {cellNumber(value)}, {}});
         }
-        row.cells.push_back(cell(each.rms));
-        row.cells.push_back(cell(each.noise));
         rows.push_back(std::move(row));
     }
     return rows;

@@ -320,8 +320,17 @@ void SweepPage::showFound() {
     const WindowSweep* shown = sweep();
     const SweepView view = this->view();
     content_->setVisible(shown != nullptr);
-    scatter_->setContent(scatterPlot(shown, view));
-    residual_->setContent(residualPlot(shown, view));
+    auto scatter = scatterPlot(shown, view);
+    auto residual = residualPlot(shown, view);
+    scatter.x_below = true;
+    for (const XYPlot& plot : {scatter, residual}) {
+        for (const XYSeries& series : plot.series) {
+            scatter.names_at_ends << series.name;
+        }
+    }
+    residual.names_at_ends = scatter.names_at_ends;
+    scatter_->setContent(scatter);
+    residual_->setContent(residual);
     point_->setVisible(shown && chosen_);
     emit figuresChanged();
     if (!shown) {
@@ -347,6 +356,14 @@ void SweepPage::showFound() {
     }
     table_->setContent(sweepHeaders(*shown, view), sweepRows(*shown, view));
     table_->horizontalHeaderItem(0)->setText(QStringLiteral("n"));
+    numbers_->setMinimumWidth(std::max(table_->leastWidth(), numbers_->minimumSizeHint().width()));
+}
+
+void SweepPage::resizeEvent(QResizeEvent* event) {
+    constexpr int least_beside = 1100;  // of the window
+    parts_->setDirection(window()->width() < least_beside ? QBoxLayout::TopToBottom
+                                                          : QBoxLayout::LeftToRight);
+    MeasuredPage::resizeEvent(event);
 }
 
 QLayout* SweepPage::buildHead() {
@@ -378,13 +395,15 @@ QWidget* SweepPage::buildContent() {
     point_ = sentence(content, "sweepPoint", QMargins());
     use_ = withName(new QPushButton(content), "sweepUse");
     table_ = withName(new QuantityTable(content), "sweepTable");
-    auto* choice = fill(new QHBoxLayout, {labelFor(variable_, [] { return tr("Variable"); }),
-                                          variable_, LayoutPart(1), copy_});
+    numbers_ = new QWidget(content);
+    auto* choice =
+        fill(new QHBoxLayout, {labelFor(variable_, [] { return tr("Variable"); }), {variable_, 1}});
     auto* advice = fill(new QHBoxLayout, {{advice_, 1}, {use_, 0, Qt::AlignTop}});
+    auto* copy = fill(new QHBoxLayout, {LayoutPart(1), copy_});
     auto* plots = fill(new QVBoxLayout, {}, 4, {{scatter_, 3}, {residual_, 2}});
-    auto* numbers = fill(new QVBoxLayout, {}, 4, {advice, table_, point_, LayoutPart(1)});
-    auto* both = fill(new QHBoxLayout, {}, 8, {{plots, 5}, {numbers, 6}});
-    fill(new QVBoxLayout(content), {6, 0, 6, 0}, 4, {choice, {both, 1}});
+    fill(new QVBoxLayout(numbers_), {}, 4, {choice, advice, table_, copy, point_, LayoutPart(1)});
+    parts_ = fill(new QBoxLayout(QBoxLayout::LeftToRight, content), {6, 0, 6, 0}, 8,
+                  {{plots, 5}, {numbers_, 3}});
     return content;
 }
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -64,6 +65,9 @@ public:
 
     FigureSource figures() const override;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     // A result, with the settings it was asked for.
     struct Found {
@@ -106,6 +110,8 @@ private:
     QPushButton* cancel_;
     QLabel* state_;
     QWidget* content_ = nullptr;
+    QBoxLayout* parts_ = nullptr;  // plots, and the numbers beside or below them
+    QWidget* numbers_ = nullptr;
     QComboBox* variable_ = nullptr;
     QPushButton* copy_ = nullptr;
     XYPlotView* scatter_ = nullptr;

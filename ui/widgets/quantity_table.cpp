@@ -287,6 +287,16 @@ int QuantityTable::leastWidth(int column) const {
     return width;
 }
 
+int QuantityTable::leastWidth() {
+    setConcise(true);
+    int width = 0;
+    for (int column = 0; column < columnCount(); ++column) {
+        width += leastWidth(column);
+    }
+    layOut();
+    return width;
+}
+
 // As high as its texts in their columns.
 int QuantityTable::headerHeight(const std::vector<int>& widths) const {
     int texts = 0;

@@ -53,6 +53,8 @@ public:
     // the others have no room.
     void setContent(const QStringList& headers, const std::vector<QuantityRow>& rows,
                     const QStringList& short_headers = {});
+    // The width in which no number is cut and no word of a header; numbers are concise.
+    int leastWidth();
     // A quantity is a column, its name the header; `things` are the rows, yet without cells.
     void setColumns(const std::vector<QuantityRow>& quantities, std::vector<QuantityRow> things);
 

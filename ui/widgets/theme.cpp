@@ -166,10 +166,10 @@ Theme applyTheme(QApplication& app, ThemeMode mode) {
 }
 
 CurveStyle curveStyle(int index) {
-    // Okabe and Ito, without black (no good on dark) and yellow (no good on light), in an order
-    // that separates neighbours for every kind of colour blindness.
+    // Four of Okabe and Ito, a violet and an olive: their orange and light blue look like vermilion
+    // and like the second shade of blue once they are readable on both grounds.
     static constexpr std::array<const char*, curve_colors> colors{"#0072b2", "#d55e00", "#009e73",
-                                                                  "#cc79a7", "#e69f00", "#56b4e9"};
+                                                                  "#cc79a7", "#b9b2ff", "#636336"};
     const int place = index < 0 ? -1 - index : index;
     const int color = place % curve_colors;
     return {

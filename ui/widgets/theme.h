@@ -34,8 +34,8 @@ struct Theme {
     QColor signalD;
 };
 
-// Style of the curve of an analysis: an Okabe-Ito colour, which is that of its recording, and a
-// shade of it. Dashes are left to models and bounds: they chop a dense curve into bursts.
+// Style of the curve of an analysis: a colour, which is that of its recording, and a shade of it.
+// Dashes are left to models and bounds: they chop a dense curve into bursts.
 struct CurveStyle {
     QColor color;
     int shade = 0;  // from the colour itself away from the background

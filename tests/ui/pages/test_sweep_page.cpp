@@ -12,11 +12,13 @@
 #include <QComboBox>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QPicture>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTableWidget>
 #include <QToolTip>
 #include <QtTest>
+#include <qcustomplot.h>
 
 #include <numbers>
 
@@ -59,6 +61,45 @@ class TestSweepPage : public QObject, private WindowTest {
         QVERIFY(QTest::qWaitFor([&] { return !page().running(); }, 30000));
         QVERIFY(page().sweep());
         QCOMPARE(page().sweep()->lengths.size(), count);
+    }
+
+    static QRect frameOf(const QCustomPlot& plot) {
+        return const_cast<QCustomPlot&>(plot).axisRects().front()->rect();
+    }
+
+    // Each curve has its name, whole, beside the frame and apart from the others.
+    static void checkNames(QCustomPlot& plot, const XYPlot& content) {
+        plot.replot();
+        QStringList wanted;
+        for (const XYSeries& series : content.series) {
+            if (!series.name.isEmpty()) {
+                wanted << series.name;
+            }
+        }
+        QStringList named;
+        std::vector<QRectF> places;
+        for (int k = 0; k < plot.itemCount(); ++k) {
+            if (const auto* name = qobject_cast<QCPItemText*>(plot.item(k))) {
+                named << name->text();
+                places.emplace_back(name->topLeft->pixelPosition(),
+                                    name->bottomRight->pixelPosition());
+                const QString where = name->text();
+                VYBEG_AT_LEAST(places.back().left(), frameOf(plot).right(), qPrintable(where));
+                VYBEG_AT_LEAST(places.back().width(),
+                               QFontMetrics(name->font()).horizontalAdvance(name->text()),
+                               qPrintable(where));
+                QVERIFY2(QRectF(plot.viewport()).contains(places.back()), qPrintable(where));
+            }
+        }
+        wanted.sort();
+        named.sort();
+        QCOMPARE(named, wanted);
+        VYBEG_AT_LEAST(named.size(), 4);
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            for (std::size_t other = 0; other < k; ++other) {
+                QVERIFY(!places[k].adjusted(0, 1, 0, -1).intersects(places[other]));
+            }
+        }
     }
 
 private slots:
@@ -106,13 +147,14 @@ private slots:
         for (int column = 1; column < table.columnCount(); ++column) {
             titles << table.horizontalHeaderItem(column)->text();
         }
-        QVERIFY2(titles.contains("Cramér-Rao bound, °"), qPrintable(titles.join('|')));
+        QVERIFY2(titles.contains("Cramér-Rao bound, ×10⁻³\u00a0°"), qPrintable(titles.join('|')));
         QVERIFY2(!titles.join('|').contains("own leakage"), qPrintable(titles.join('|')));
+        QVERIFY2(titles.back() == "noise, ×10⁻³", qPrintable(titles.back()));
         QCOMPARE(table.horizontalHeaderItem(0)->text(), QString("n"));
         // A deviation has three digits, its zeros among them.
         for (int row = 0; row < table.rowCount(); ++row) {
             QString digits = table.item(row, table.columnCount() - 1)->text();
-            digits.remove(QRegularExpression("^0\\.[0\u202f]*|\u202f"));
+            digits.remove(QRegularExpression("^0\\.[0\u202f]*|\\D"));
             QVERIFY2(digits.size() == 3, qPrintable(digits));
         }
         VYBEG_CLOSE_RATIO(found.white_noise, 1e-3, 0.03);
@@ -130,6 +172,89 @@ private slots:
         QCOMPARE(document().settings(), before);
         QVERIFY(page().sweep());
         QVERIFY2(!text("sweepState").contains("older"), qPrintable(text("sweepState")));
+    }
+
+    // At the ends of the curves, beside each other's plot, on the screen and in an export; in a low
+    // plot in a legend.
+    void the_curves_are_named_at_their_ends() {
+        open(home_.recording("names.wav"));
+        goToSweep();
+        sweep("6..600", 15);
+        for (const char* language : {"en", "ru"}) {
+            window_->setLanguage(language);
+            for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
+                window_->resize(size);
+                for (int v = 0; v < the<QComboBox>("sweepVariable").count(); ++v) {
+                    the<QComboBox>("sweepVariable").setCurrentIndex(v);
+                    QCoreApplication::processEvents();
+                    const auto& scatter = the<XYPlotView>("sweepScatter");
+                    const auto& residual = the<XYPlotView>("sweepResidual");
+                    checkNames(childOf<QCustomPlot>(scatter), scatter.content());
+                    checkNames(childOf<QCustomPlot>(residual), residual.content());
+                    const QRect above = frameOf(childOf<QCustomPlot>(scatter));
+                    const QRect below = frameOf(childOf<QCustomPlot>(residual));
+                    QCOMPARE(above.right(), below.right());
+                    // The table is beside the plots, and no wider than its numbers need.
+                    VYBEG_MORE(the<QTableWidget>("sweepTable").mapTo(&page(), QPoint()).x(),
+                               scatter.mapTo(&page(), QPoint(scatter.width() - 1, 0)).x());
+                    VYBEG_AT_LEAST(scatter.width(), (size.width() > 1300 ? 900 : 440));
+                }
+            }
+        }
+        window_->setLanguage("en");
+        XYPlot plot = the<XYPlotView>("sweepScatter").content();
+        const auto drawn = [&plot](QCustomPlot& into, const QSize& size) {
+            into.resize(size);
+            layOutXYPlot(into, plot, lightTheme(), size);
+            into.toPixmap(size.width(), size.height());
+        };
+        QCustomPlot exported;
+        drawn(exported, the<XYPlotView>("sweepScatter").figure().size);
+        checkNames(exported, plot);
+        for (const QSize& small : {QSize(640, 110), QSize(200, 420)}) {
+            QCustomPlot low;
+            drawn(low, small);
+            QCOMPARE(low.itemCount(), 0);
+            VYBEG_MORE(low.plotLayout()->rowCount(), 1);
+        }
+        // The plot alone names the axis that it shares on the page.
+        QVERIFY(plot.x_below);
+        QPicture picture;
+        QCPPainter painter(&picture);
+        the<XYPlotView>("sweepScatter").figure().draw(painter, {640, 420});
+        QVERIFY(!picture.isNull());
+    }
+
+    void in_a_narrow_window_the_table_is_below_the_plots() {
+        open(home_.recording("narrow.wav"));
+        goToSweep();
+        sweep("6..600", 15);
+        window_->resize(1050, 720);
+        QCoreApplication::processEvents();
+        QCOMPARE(window_->width(), 1050);
+        const auto& residual = the<XYPlotView>("sweepResidual");
+        QTRY_VERIFY(the<QTableWidget>("sweepTable").mapTo(&page(), QPoint()).y() >
+                    residual.mapTo(&page(), QPoint(0, residual.height() - 1)).y());
+    }
+
+    void an_advice_tells_of_the_warning_of_an_analysis() {
+        WindowSweep found;
+        for (const std::int64_t length : {60, 120, 240}) {
+            auto& each = found.lengths.emplace_back();
+            each.length = length;
+            each.windows = 6000 / length;
+        }
+        found.advice = WindowAdvice{.best = 2};
+        QVERIFY(!adviceText(found, {}).contains("warns"));
+        found.lengths[2].moving = 7;
+        QVERIFY2(adviceText(found, {}).contains("inside 7 of its 25 windows"),
+                 qPrintable(adviceText(found, {})));
+        QVERIFY(!adviceText(found, {}).contains("Without the warning"));
+        found.advice->quiet = 1;
+        found.advice->quiet_loss = 2.8;
+        QVERIFY2(adviceText(found, {}).contains("Without the warning n = 120"),
+                 qPrintable(adviceText(found, {})));
+        QVERIFY(adviceText(found, {}).contains("2.8 times"));
     }
 
     void a_point_is_chosen_by_mouse_and_keys() {
