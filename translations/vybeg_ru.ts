@@ -7388,6 +7388,33 @@
     <message>
         <source>sd</source>
         <translation>СКО</translation>
+<context>
+    <name>vybeg::ui::PassportStore</name>
+    <message>
+        <source>open the passport</source>
+        <translation>открытие паспорта</translation>
+    </message>
+    <message>
+        <source>close the passport</source>
+        <translation>закрытие паспорта</translation>
+    </message>
+    <message>
+        <source>limit of the frequencies&apos; changes</source>
+        <translation>предел изменения частот</translation>
+    </message>
+    <message>
+        <source>The session&apos;s passport cannot be opened: %1 The results are shown without the comparison.</source>
+        <translation>Паспорт сеанса открыть нельзя: %1 Результаты показаны без сравнения.</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Найти…</translation>
+    </message>
+    <message>
+        <source>%1 is another passport than that of the session: its SHA-256 differs. The results are compared with the present one.</source>
+        <translation>%1 — не тот паспорт, что указан в сеансе: его SHA-256 отличается. Результаты сравниваются с нынешним.</translation>
+    </message>
+</context>
     </message>
     <message>
         <source>value</source>

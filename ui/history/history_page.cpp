@@ -243,7 +243,7 @@ void HistoryPage::compute() {
 }
 
 HistoryView HistoryPage::view() const {
-    const PassportComparison* open = document_.sets().passport();
+    const Passport* open = document_.passport().content();
     const Dossier& dossier = document_.dossier().dossier();
     const std::string serial = dossier.gyro.serial.toStdString();
     // Those of the session's gyro are not limits of another one, nor of several.
@@ -259,7 +259,7 @@ HistoryView HistoryPage::view() const {
             shownAxis(*history_, choices_->axis()),
             units(),
             chosen_,
-            open ? choices_->parameter().in(open->passport) : nullptr,
+            open ? choices_->parameter().in(*open) : nullptr,
             limit ? std::optional(*limit) : std::nullopt};
 }
 
@@ -533,7 +533,7 @@ void HistoryPage::connectWidgets() {
         });
     }
     connect(&document_.sets(), &SetStore::changed, this, &HistoryPage::refresh);
-    connect(&document_.sets(), &SetStore::passportChanged, this, &HistoryPage::showHistory);
+    connect(&document_.passport(), &PassportStore::changed, this, &HistoryPage::showHistory);
     connect(&document_.dossier(), &DossierModel::changed, this, &HistoryPage::showHistory);
 }
 

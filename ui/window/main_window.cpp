@@ -252,14 +252,13 @@ void MainWindow::connectDocument() {
     connect(&document_.drift(), &DriftStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&tracks_page_->logTracks(), &LogTracks::changed, this,
             &MainWindow::showCurrentRecording);
-    connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
-        if (document_.sets().passport()) {
-            pages_->showPage(Page::resonator);
-            resonator_->showComparison();
-        }
+    connect(&document_.passport(), &PassportStore::opened, this, [this] {
+        pages_->showPage(Page::resonator);
+        resonator_->showComparison();
     });
     connect(&document_.dossier(), &DossierModel::changed, this, &MainWindow::showTitle);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
+    connect(&document_.passport(), &PassportStore::wanted, files_, &FileCommands::askForPassport);
 }
 
 void MainWindow::connectSession() {
