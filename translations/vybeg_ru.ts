@@ -3581,6 +3581,14 @@
         <translation>Без даты результат стоит после всех остальных.</translation>
     </message>
     <message>
+        <source>Of the recordings, as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05</source>
+        <translation>Дата записей, как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него</translation>
+    </message>
+    <message>
+        <source>A date is written as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05.</source>
+        <translation>Дата пишется как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него.</translation>
+    </message>
+    <message>
         <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
         <translation>Результат %1 заменяет в %2 результат %3 (набор %4): те же записи и параметры.</translation>
     </message>
