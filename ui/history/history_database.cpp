@@ -111,10 +111,11 @@ void readHistory(const DatabaseJob& job, const std::optional<std::string>& gyro,
                  const std::string& parameter, Done<StoredHistory> done) {
     inDatabase<StoredHistory>(
         job, ResultsDatabase::Access::read,
-        [gyro, parameter](ResultsDatabase& database) -> Result<StoredHistory> {
+        [path = job.path, gyro, parameter](ResultsDatabase& database) -> Result<StoredHistory> {
+            const QDateTime written = QFileInfo(path).lastModified();
             auto gyros = TRY(database.gyros());
             auto points = TRY(database.history(gyro, parameter));
-            return StoredHistory{std::move(gyros), std::move(points)};
+            return StoredHistory{std::move(gyros), std::move(points), written};
         },
         std::move(done));
 }
