@@ -3557,10 +3557,6 @@
         <translation>Дата</translation>
     </message>
     <message>
-        <source>Of the recordings, as in 2026-03-31, with or without a time as in T14:05</source>
-        <translation>Дата записей, как 2026-03-31, со временем, как T14:05, или без него</translation>
-    </message>
-    <message>
         <source>Add</source>
         <translation>Добавить</translation>
     </message>
@@ -3573,20 +3569,8 @@
         <translation>У результата без гироскопа нет истории: назовите его.</translation>
     </message>
     <message>
-        <source>A date is written as in 2026-03-31, with or without a time as in T14:05.</source>
-        <translation>Дата пишется как 2026-03-31, со временем, как T14:05, или без него.</translation>
-    </message>
-    <message>
         <source>Without a date the result stands behind all others.</source>
         <translation>Без даты результат стоит после всех остальных.</translation>
-    </message>
-    <message>
-        <source>Of the recordings, as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05</source>
-        <translation>Дата записей, как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него</translation>
-    </message>
-    <message>
-        <source>A date is written as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05.</source>
-        <translation>Дата пишется как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него.</translation>
     </message>
     <message>
         <source>The result of %1 replaces that of %3 (set %4) in %2: the same recordings and settings.</source>
@@ -3595,6 +3579,14 @@
     <message>
         <source>The result of %1 is in %2.</source>
         <translation>Результат %1 записан в %2.</translation>
+    </message>
+    <message>
+        <source>Of the recordings, as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05</source>
+        <translation>Дата записей, как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него</translation>
+    </message>
+    <message>
+        <source>A date is written as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05.</source>
+        <translation>Дата пишется как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него.</translation>
     </message>
 </context>
 <context>
@@ -7286,6 +7278,22 @@
         <source>Import…</source>
         <translation>Импорт…</translation>
     </message>
+    <message>
+        <source>Less</source>
+        <translation>Свернуть</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Ещё</translation>
+    </message>
+    <message>
+        <source>Leaves one line of the newest message</source>
+        <translation>Оставляет одну строку последнего сообщения</translation>
+    </message>
+    <message>
+        <source>Shows whole messages, over the window</source>
+        <translation>Показывает сообщения целиком поверх окна</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::NumberField</name>
@@ -7381,22 +7389,6 @@
     </message>
 </context>
 <context>
-    <name>vybeg::ui::PlotView</name>
-    <message>
-        <source>Copy plot</source>
-        <translation>Копировать график</translation>
-    </message>
-    <message>
-        <source>Export plot…</source>
-        <translation>Экспорт графика…</translation>
-    </message>
-</context>
-<context>
-    <name>vybeg::ui::QuantityTable</name>
-    <message>
-        <source>sd</source>
-        <translation>СКО</translation>
-<context>
     <name>vybeg::ui::PassportStore</name>
     <message>
         <source>open the passport</source>
@@ -7423,6 +7415,22 @@
         <translation>%1 — не тот паспорт, что указан в сеансе: его SHA-256 отличается. Результаты сравниваются с нынешним.</translation>
     </message>
 </context>
+<context>
+    <name>vybeg::ui::PlotView</name>
+    <message>
+        <source>Copy plot</source>
+        <translation>Копировать график</translation>
+    </message>
+    <message>
+        <source>Export plot…</source>
+        <translation>Экспорт графика…</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::QuantityTable</name>
+    <message>
+        <source>sd</source>
+        <translation>СКО</translation>
     </message>
     <message>
         <source>value</source>
