@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 
+#include <filesystem>
 #include <utility>
 
 namespace vybeg::ui {

@@ -122,15 +122,19 @@ class TestSessionResults : public QObject, private WindowTest {
         return cellOf("resonator", "Frequency split", "Since the passport") != nullptr;
     }
 
+    bool becomesCompared() {
+        return QTest::qWaitFor([this] { return isCompared(); }, 60000);
+    }
+
     // A session like `fresh_` in which the passport of that result is open, both of this name.
     QString compared(const QString& name) {
         const QString path = copyOf(fresh_, name + ".vybeg");
         reopen(path);
         const QString passport = home_.path(name + ".json");
         window_->files().savePassportTo(passport);
-        const bool written = QTest::qWaitFor([&] { return QFile::exists(passport); });
+        const bool written = QTest::qWaitFor([&] { return QFile::exists(passport); }, 60000);
         document().passport().open(passport);
-        const bool open = QTest::qWaitFor([this] { return isCompared(); });
+        const bool open = becomesCompared();
         return written && open && session().isModified() && savedTo(*window_, path) ? path
                                                                                     : QString();
     }
@@ -234,14 +238,14 @@ private slots:
         QCOMPARE(file["path"].toString(), QString("gyro.json"));
         QVERIFY(!file["sha256"].toString().isEmpty());
         reopen(path);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QCOMPARE(messages(), QString());
         QVERIFY(!session().isModified());
         document().passport().setFrequencyLimit(12);
         QVERIFY(session().isModified());
         QVERIFY(savedTo(*window_, path));
         reopen(path);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QCOMPARE(document().passport().input().f_limit_ppm, 12.0);
         document().passport().close();
         QVERIFY(!isCompared() && session().isModified());
@@ -260,9 +264,9 @@ private slots:
         const QJsonValue stored = jsonOf(path)["passport"];
         QVERIFY(QFile::rename(home_.path("lost.json"), home_.path("elsewhere.txt")));
         reopen(path);
-        QTRY_VERIFY2(messages().contains("The session's passport cannot be opened") &&
-                         messages().contains("lost.json"),
-                     qPrintable(messages()));
+        QTRY_VERIFY2_WITH_TIMEOUT(messages().contains("The session's passport cannot be opened") &&
+                                      messages().contains("lost.json"),
+                                  qPrintable(messages()), 60000);
         QVERIFY(!isCompared());
         QCOMPARE(numbers("resonator"), fresh_.resonator);
         QVERIFY(!session().isModified());
@@ -274,11 +278,11 @@ private slots:
         QVERIFY(files.isVisible());
         emit files.fileSelected(home_.path("elsewhere.txt"));
         files.close();
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         // Under another name beside the session it is found by its content.
         QVERIFY(QFile::rename(home_.path("elsewhere.txt"), home_.path("renamed.json")));
         reopen(path);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QCOMPARE(messages(), QString());
     }
 
@@ -288,7 +292,7 @@ private slots:
         QVERIFY(file.open(QIODevice::Append) && file.write("\n") == 1);
         file.close();
         reopen(path);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QVERIFY2(messages().contains("changed.json is another passport"), qPrintable(messages()));
         QVERIFY(!session().isModified());
     }
@@ -298,7 +302,7 @@ private slots:
         hideRecordings();
         reopen(path);
         QVERIFY(!outcome());
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
     }
 
     void what_a_later_version_knows_of_a_passport_is_kept() {
@@ -309,7 +313,7 @@ private slots:
         json["passport"] = passport;
         home_.file("later.vybeg", QJsonDocument(json).toJson());
         reopen(path);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["passport"].toObject(), passport);
     }
@@ -323,11 +327,11 @@ private slots:
             return names.isEmpty() ? QString() : copies.filePath(names.last());
         };
         window_->action(Command::identify)->trigger();  // a result is copied at once
-        QTRY_VERIFY(jsonOf(copy()).contains("passport"));
+        QTRY_VERIFY_WITH_TIMEOUT(jsonOf(copy()).contains("passport"), 60000);
         const QString left = home_.path("left.vybeg");
         QVERIFY(QFile::copy(copy(), left));
         reopen(left);
-        QTRY_VERIFY(isCompared());
+        QVERIFY(becomesCompared());
         QVERIFY(session().isModified());
         QCOMPARE(session().path(), path);
     }
