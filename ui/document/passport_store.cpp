@@ -84,9 +84,8 @@ void PassportStore::takeOfSession(Result<PassportComparison>&& read) {
     show(inputOf(input_, std::move(*read)));
 }
 
-void PassportStore::step(UndoSteps::Words words, const PassportInput& after) {
-    steps_.change(std::move(words), input_, after,
-                  [this](const PassportInput& input) { show(input); });
+void PassportStore::step(const UndoSteps::Words& words, const PassportInput& after) {
+    steps_.change(words, input_, after, [this](const PassportInput& input) { show(input); });
 }
 
 void PassportStore::show(const PassportInput& input) {

@@ -55,7 +55,7 @@ signals:
 
 private:
     void read(const QString& path, Done<PassportComparison> done);
-    void step(UndoSteps::Words words, const PassportInput& after);
+    void step(const UndoSteps::Words& words, const PassportInput& after);
     void show(const PassportInput& input);
     void takeOfSession(Result<PassportComparison>&& read);
 
