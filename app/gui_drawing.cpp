@@ -332,13 +332,11 @@ Result<int> write_session_report(const GuiRequest& request, std::stop_token stop
             "--report", request.inputs.front(),
             "none of the session's recordings is there and analysed, and no log has a drift");
     }
-    const ReportTitle otherwise =
-        completed(request.title, titleOf(document.dossier().dossier().gyro));
-    std::vector<ReportContent> contents = reportContentsOf(document, *subject);
+    const ReportTitle usual = completed(request.title, titleOf(document.dossier().dossier().gyro));
+    std::vector<ReportContent> contents = reportContentsOf(document, *subject, usual);
     for (ReportContent& content : contents) {
         content.units = units;
         content.summary = request.summary;
-        content.title = completed(content.title, otherwise);
     }
     ReportWriter writer;
     std::optional<Status> written;

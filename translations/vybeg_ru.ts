@@ -3557,10 +3557,6 @@
         <translation>Дата</translation>
     </message>
     <message>
-        <source>Of the recordings, as in 2026-03-31, with or without a time as in T14:05</source>
-        <translation>Дата записей, как 2026-03-31, со временем, как T14:05, или без него</translation>
-    </message>
-    <message>
         <source>Add</source>
         <translation>Добавить</translation>
     </message>
@@ -3573,10 +3569,6 @@
         <translation>У результата без гироскопа нет истории: назовите его.</translation>
     </message>
     <message>
-        <source>A date is written as in 2026-03-31, with or without a time as in T14:05.</source>
-        <translation>Дата пишется как 2026-03-31, со временем, как T14:05, или без него.</translation>
-    </message>
-    <message>
         <source>Without a date the result stands behind all others.</source>
         <translation>Без даты результат стоит после всех остальных.</translation>
     </message>
@@ -3587,6 +3579,14 @@
     <message>
         <source>The result of %1 is in %2.</source>
         <translation>Результат %1 записан в %2.</translation>
+    </message>
+    <message>
+        <source>Of the recordings, as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05</source>
+        <translation>Дата записей, как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него</translation>
+    </message>
+    <message>
+        <source>A date is written as in 31.03.2026 or 2026-03-31, with or without a time as in 14:05.</source>
+        <translation>Дата пишется как 31.03.2026 или 2026-03-31, со временем, как 14:05, или без него.</translation>
     </message>
 </context>
 <context>
@@ -7286,6 +7286,22 @@
         <source>Import…</source>
         <translation>Импорт…</translation>
     </message>
+    <message>
+        <source>Less</source>
+        <translation>Свернуть</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Ещё</translation>
+    </message>
+    <message>
+        <source>Leaves one line of the newest message</source>
+        <translation>Оставляет одну строку последнего сообщения</translation>
+    </message>
+    <message>
+        <source>Shows whole messages, over the window</source>
+        <translation>Показывает сообщения целиком поверх окна</translation>
+    </message>
 </context>
 <context>
     <name>vybeg::ui::NumberField</name>
@@ -7378,6 +7394,33 @@
     <message>
         <source>Pages</source>
         <translation>Страницы</translation>
+    </message>
+</context>
+<context>
+    <name>vybeg::ui::PassportStore</name>
+    <message>
+        <source>open the passport</source>
+        <translation>открытие паспорта</translation>
+    </message>
+    <message>
+        <source>close the passport</source>
+        <translation>закрытие паспорта</translation>
+    </message>
+    <message>
+        <source>limit of the frequencies&apos; changes</source>
+        <translation>предел изменения частот</translation>
+    </message>
+    <message>
+        <source>The session&apos;s passport cannot be opened: %1 The results are shown without the comparison.</source>
+        <translation>Паспорт сеанса открыть нельзя: %1 Результаты показаны без сравнения.</translation>
+    </message>
+    <message>
+        <source>Find…</source>
+        <translation>Найти…</translation>
+    </message>
+    <message>
+        <source>%1 is another passport than that of the session: its SHA-256 differs. The results are compared with the present one.</source>
+        <translation>%1 — не тот паспорт, что указан в сеансе: его SHA-256 отличается. Результаты сравниваются с нынешним.</translation>
     </message>
 </context>
 <context>

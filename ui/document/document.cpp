@@ -22,6 +22,7 @@ Document::Document() {
     connect(&queue_, &RequestQueue::progressChanged, this, &Document::progressChanged);
     connect(&sets_, &SetStore::reported, this, &Document::reported);
     connect(&drift_, &DriftStore::reported, this, &Document::reported);
+    connect(&passport_, &PassportStore::reported, this, &Document::reported);
     connect(&drift_, &DriftStore::settled, this, &Document::settled);
     connect(&recordings_, &RecordingStore::opened, this, &Document::whenOpened);
     connect(&recordings_, &RecordingStore::openFailed, this,

@@ -5,6 +5,7 @@
 #include "ui/document/drift_store.h"
 #include "ui/document/edits.h"
 #include "ui/document/message.h"
+#include "ui/document/passport_store.h"
 #include "ui/document/recording_store.h"
 #include "ui/document/set_store.h"
 #include "ui/values/ids.h"
@@ -20,10 +21,10 @@
 
 namespace vybeg::ui {
 
-// The session: open recordings, the settings being edited, analyses, sets and whole-angle logs,
-// each in a store of its own. The document connects the stores and asks for analyses. It is the
-// only source of change signals in the window: widgets call its functions, listen, and hold no
-// state of the session.
+// The session: open recordings, the settings being edited, analyses, sets, whole-angle logs and the
+// passport, each in a store of its own. The document connects the stores and asks for analyses. It
+// is the only source of change signals in the window: widgets call its functions, listen, and hold
+// no state of the session.
 class Document : public QObject {
     Q_OBJECT
 
@@ -59,7 +60,8 @@ public:
     void startWith(const Settings& settings, const Tolerance& tolerance = {}) {
         settings_.startWith(settings, tolerance);
     }
-    // Steps of undo: settings, tolerances, analyses, sets, closed recordings, whole-angle logs.
+    // Steps of undo: settings, tolerances, analyses, sets, closed recordings, whole-angle logs,
+    // passport.
     UndoSteps& undoStack() { return steps_; }
     const UndoSteps& undoStack() const { return steps_; }
 
@@ -108,6 +110,10 @@ public:
     // Whole-angle logs.
     DriftStore& drift() { return drift_; }
     const DriftStore& drift() const { return drift_; }
+
+    // What the results of the sets are compared with.
+    PassportStore& passport() { return passport_; }
+    const PassportStore& passport() const { return passport_; }
 
     void report(const Message& message) { emit reported(message); }
 
@@ -160,6 +166,7 @@ private:
     RequestQueue queue_{job_};
     SetStore sets_{job_, settings_, recordings_, queue_, ids_, steps_};
     DriftStore drift_{job_, steps_};
+    PassportStore passport_{job_, steps_};
     bool live_ = false;
     TimeRange visible_;
     std::map<RecordingId, std::vector<AnalysisEntry>> restored_;  // by recording, until it is open

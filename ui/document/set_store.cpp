@@ -478,43 +478,10 @@ void SetStore::savePassport(const QString& path, const GyroData& session,
     }
 }
 
-void SetStore::openPassport(const QString& path) {
-    constexpr int one_at_a_time = 0;  // a newer one replaces one that is being read
-    job_.run<PassportComparison>(
-        one_at_a_time,
-        [from = path.toStdString()](const JobControl& job) { return open_passport(from, job); },
-        [this](Result<PassportComparison> passport) {
-            if (!passport) {
-                emit reported(errorMessage(passport.error()));
-                return;
-            }
-            passport_ = std::move(*passport);
-            emit passportChanged();
-        });
-}
-
-void SetStore::closePassport() {
-    passport_.reset();
-    emit passportChanged();
-}
-
-void SetStore::setFrequencyLimit(double ppm) {
-    if (std::exchange(compare_.f_limit_ppm, ppm) != ppm) {
-        emit passportChanged();
-    }
-}
-
-std::vector<Difference> SetStore::differences() const {
-    const auto found = current() ? outcome(*current()) : nullptr;
-    return passport_ && found ? compare(passport_->passport, found->identification.fit, compare_)
-                              : std::vector<Difference>();
-}
-
-std::optional<Diagnostic> SetStore::otherGyro(const GyroData& session) const {
+std::optional<Diagnostic> SetStore::otherGyro(const Passport& passport,
+                                              const GyroData& session) const {
     const RecordingSet* set = current();
-    return set && passport_
-               ? other_gyro(passport_->passport, gyro_of(told(measured(*set), session)))
-               : std::nullopt;
+    return set ? other_gyro(passport, gyro_of(told(measured(*set), session))) : std::nullopt;
 }
 
 }  // namespace vybeg::ui

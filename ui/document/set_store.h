@@ -25,8 +25,8 @@ QStringList absentFiles(const RecordingSet& set);
 // The same list with the row of that file for the recording `id`.
 MeasurementSet withRowFor(MeasurementSet listed, const QString& path, RecordingId id);
 
-// Sets of recordings, the resonators identified from them, and the passport for comparison. An edit
-// of a set stops its identification; its older result stays, out of date.
+// Sets of recordings, and the resonators identified from them. An edit of a set stops its
+// identification; its older result stays, out of date.
 class SetStore : public QObject {
     Q_OBJECT
 
@@ -87,24 +87,15 @@ public:
     // An outcome of the set with the name and the conditions that the set has now.
     SetResult underPresentConditions(const RecordingSet& set, const SetResult& outcome) const;
 
-    // Passports are written and read in the background; errors are reported.
-    // Its gyro: the one that the current set's list names, otherwise that of the session.
+    // In the background; errors are reported. Its gyro: the one that the current set's list names,
+    // otherwise that of the session.
     void savePassport(const QString& path, const GyroData& session,
                       std::function<void(const Status&)> done);
-    void openPassport(const QString& path);
-    void closePassport();
-    const PassportComparison* passport() const { return passport_ ? &*passport_ : nullptr; }
-    // Smallest change of the frequency that counts, ppm.
-    void setFrequencyLimit(double ppm);
-    double frequencyLimit() const { return compare_.f_limit_ppm; }
-    // Of the current set's outcome from the passport; empty where one of them is missing.
-    std::vector<Difference> differences() const;
-    // The warning that the passport is of another gyro than the current set.
-    std::optional<Diagnostic> otherGyro(const GyroData& session) const;
+    // The warning that a passport is of another gyro than the current set.
+    std::optional<Diagnostic> otherGyro(const Passport& passport, const GyroData& session) const;
 
 signals:
-    void changed();          // the sets, their recordings and outcomes
-    void passportChanged();  // also its limits
+    void changed();  // the sets, their recordings and outcomes
     void identified(SetId set_id);
     void opened(const QStringList& paths);  // a list, or logs
     void reported(const Message& message);
@@ -137,8 +128,6 @@ private:
     std::vector<RecordingSet> sets_;
     SetId current_ = SetId::none;
     int made_ = 0;
-    std::optional<PassportComparison> passport_;
-    CompareOptions compare_;
 };
 
 }  // namespace vybeg::ui

@@ -111,10 +111,11 @@ void readHistory(const DatabaseJob& job, const std::optional<std::string>& gyro,
                  const std::string& parameter, Done<StoredHistory> done) {
     inDatabase<StoredHistory>(
         job, ResultsDatabase::Access::read,
-        [gyro, parameter](ResultsDatabase& database) -> Result<StoredHistory> {
+        [path = job.path, gyro, parameter](ResultsDatabase& database) -> Result<StoredHistory> {
+            const QDateTime written = QFileInfo(path).lastModified();
             auto gyros = TRY(database.gyros());
             auto points = TRY(database.history(gyro, parameter));
-            return StoredHistory{std::move(gyros), std::move(points)};
+            return StoredHistory{std::move(gyros), std::move(points), written};
         },
         std::move(done));
 }
@@ -140,7 +141,7 @@ struct StoreWords {
     Q_DECLARE_TR_FUNCTIONS(Store)
 };
 
-// The date is ISO 8601 or empty.
+// The date is ISO 8601 or empty; typed, also as tables write it, usual_date().
 void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QString& date,
                        QWidget* window,
                        const std::function<void(const QString&, const QString&)>& then) {
@@ -164,18 +165,22 @@ void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QStr
            StoreWords::tr("The name under which the history of this resonator is kept"));
     addRow(
         *form, StoreWords::tr("Date"), dated,
-        StoreWords::tr("Of the recordings, as in 2026-03-31, with or without a time as in T14:05"));
+        StoreWords::tr("Of the recordings, as in 31.03.2026 or 2026-03-31, with or without a time "
+                       "as in 14:05"));
     form->addRow(fault);
     form->addRow(buttons);
-    const auto check = [named, dated, fault, ok] {
-        const QString at = dated->text().trimmed();
+    const auto date_typed = [dated] {
+        return QString::fromStdString(usual_date(dated->text().simplified().toStdString()));
+    };
+    const auto check = [named, date_typed, fault, ok] {
+        const QString at = date_typed();
         const bool has_name = !named->currentText().trimmed().isEmpty();
         const bool has_date = at.isEmpty() || is_iso_date(at.toStdString());
         fault->setText(
-            !has_name ? StoreWords::tr("A result without a gyro has no history: name one.")
-            : !has_date
-                ? StoreWords::tr("A date is written as in 2026-03-31, with or without a time as in "
-                                 "T14:05.")
+            !has_name   ? StoreWords::tr("A result without a gyro has no history: name one.")
+            : !has_date ? StoreWords::tr(
+                              "A date is written as in 31.03.2026 or 2026-03-31, with or without "
+                              "a time as in 14:05.")
             : at.isEmpty() ? StoreWords::tr("Without a date the result stands behind all others.")
                            : QString());
         ok->setEnabled(has_name && has_date);
@@ -183,10 +188,11 @@ void askForGyroAndDate(const QStringList& gyros, const QString& gyro, const QStr
     QObject::connect(named, &QComboBox::editTextChanged, dialog, check);
     QObject::connect(dated, &QLineEdit::textChanged, dialog, check);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, [dialog, named, dated, then] {
-        then(named->currentText().trimmed(), dated->text().trimmed());
-        dialog->accept();
-    });
+    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog,
+                     [dialog, named, date_typed, then] {
+                         then(named->currentText().trimmed(), date_typed());
+                         dialog->accept();
+                     });
     check();
     dialog->open();
 }

@@ -29,7 +29,7 @@ constexpr int usual_results = 20;
 
 const QString baseline_key = QStringLiteral("history/baseline");
 
-enum JobKey : int { reading_job, result_job, storing_job };
+enum JobKey : int { reading_job, looking_job, result_job, storing_job };
 
 const QString path_key = QStringLiteral("history/database");
 
@@ -177,8 +177,10 @@ HistoryPage::HistoryPage(Document& document, QWidget* parent)
         if (first) {
             path_ = QSettings().value(path_key).toString();
         }
-        if (!path_.isEmpty() && (first || QFileInfo(path_).lastModified() != read_at_)) {
+        if (!path_.isEmpty() && first) {
             read();
+        } else if (!path_.isEmpty() && !reading_) {
+            look();
         }
     });
     retranslate();
@@ -207,10 +209,23 @@ void HistoryPage::openDatabase(const QString& path, bool make) {
     }
 }
 
+// Reads the file again if it was written since.
+void HistoryPage::look() {
+    job_.run<QDateTime>(
+        looking_job,
+        [path = path_](const JobControl&) { return Result(QFileInfo(path).lastModified()); },
+        [this](const Result<QDateTime>& written) {
+            if (written && *written != written_) {
+                read();
+            }
+        });
+}
+
 void HistoryPage::read() {
+    job_.forget(looking_job);
     reading_ = true;
     failure_.reset();
-    read_at_ = QFileInfo(path_).lastModified();
+    written_ = {};
     readHistory(job(reading_job), choices_->gyro(), choices_->parameter().name,
                 [this](Result<StoredHistory> history) { take(std::move(history)); });
     refresh();
@@ -222,6 +237,7 @@ void HistoryPage::take(Result<StoredHistory> history) {
     history_.reset();
     if (history) {
         history_ = std::move(*history);
+        written_ = history_->written;
         const auto asked = choices_->gyro();
         choices_->setGyros(history_->gyros);
         if (choices_->gyro() != asked) {  // it has no results any more
@@ -243,7 +259,7 @@ void HistoryPage::compute() {
 }
 
 HistoryView HistoryPage::view() const {
-    const PassportComparison* open = document_.sets().passport();
+    const Passport* open = document_.passport().content();
     const Dossier& dossier = document_.dossier().dossier();
     const std::string serial = dossier.gyro.serial.toStdString();
     // Those of the session's gyro are not limits of another one, nor of several.
@@ -259,7 +275,7 @@ HistoryView HistoryPage::view() const {
             shownAxis(*history_, choices_->axis()),
             units(),
             chosen_,
-            open ? choices_->parameter().in(open->passport) : nullptr,
+            open ? choices_->parameter().in(*open) : nullptr,
             limit ? std::optional(*limit) : std::nullopt};
 }
 
@@ -296,7 +312,7 @@ void HistoryPage::showHistory() {
             return place < points.size() ? richTip(pointText(view(), points[place])) : QString();
         });
     }
-    showDistribution();
+    showDistribution(now);
     // A click on a name chooses its result.
     QString verdict = richText(verdictText(now));
     const bool judged = charts_.one_gyro && charts_.control.fault != BaselineFault::too_few;
@@ -317,8 +333,8 @@ void HistoryPage::showHistory() {
 }
 
 // Its frame begins as high as that of the values.
-void HistoryPage::showDistribution() {
-    XYPlot plot = besideValues(distributionPlot(view()), values().shown.plot);
+void HistoryPage::showDistribution(const HistoryView& now) {
+    XYPlot plot = besideValues(distributionPlot(now), values().shown.plot);
     plot.least_head = values().plot->head();
     distribution_->setContent(plot);
 }
@@ -494,7 +510,7 @@ QWidget* HistoryPage::buildContent() {
     distribution_->setFixedWidth(distribution_width);
     whenChanged(*values().plot, {QEvent::Resize}, [this] {
         if (history_) {
-            showDistribution();
+            showDistribution(view());
         }
     });
     // The charts over each other, on one axis; beside them the distribution and the chosen result.
@@ -533,7 +549,7 @@ void HistoryPage::connectWidgets() {
         });
     }
     connect(&document_.sets(), &SetStore::changed, this, &HistoryPage::refresh);
-    connect(&document_.sets(), &SetStore::passportChanged, this, &HistoryPage::showHistory);
+    connect(&document_.passport(), &PassportStore::changed, this, &HistoryPage::showHistory);
     connect(&document_.dossier(), &DossierModel::changed, this, &HistoryPage::showHistory);
 }
 

@@ -6,8 +6,6 @@
 #include "ui/history/history_view.h"
 #include "ui/plots/plot_view.h"
 
-#include <QDateTime>
-
 #include <array>
 #include <optional>
 #include <string>
@@ -95,11 +93,12 @@ private:
     void connectWidgets();
     void retranslate() override;
 
+    void look();
     void read();
     void take(Result<StoredHistory> history);
     void compute();
     void showHistory();
-    void showDistribution();
+    void showDistribution(const HistoryView& now);
     void showAgain() override { showHistory(); }
     void refresh();
     // Precondition: there is a history.
@@ -120,7 +119,7 @@ private:
     QString path_;
     bool seen_ = false;
     bool reading_ = false;
-    QDateTime read_at_;  // of the file, as it was read
+    QDateTime written_;  // when the file was, as it was read
     std::optional<Error> failure_;
     std::optional<StoredHistory> history_;
     HistoryCharts charts_;

@@ -10,6 +10,7 @@
 #include "ui/words/display_units.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QString>
 
 #include <functional>
@@ -23,6 +24,7 @@ namespace vybeg::ui {
 struct StoredHistory {
     std::vector<StoredGyro> gyros;
     std::vector<HistoryPoint> points;  // of one gyro or of all, by date; those without one last
+    QDateTime written;                 // when its file was, at the latest
 };
 
 // A parameter that has a history, with the period of an axis (resonator_parameters.h).

@@ -203,17 +203,17 @@ std::vector<ReportSubject> reportSubjects(const Document& document) {
     return subjects;
 }
 
-std::vector<ReportContent> reportContentsOf(const Document& document,
-                                            const ReportSubject& subject) {
+std::vector<ReportContent> reportContentsOf(const Document& document, const ReportSubject& subject,
+                                            const ReportTitle& usual) {
     if (!subject.all_sets) {
-        return {reportContentOf(document, subject)};
+        return {reportContentOf(document, subject, usual)};
     }
     std::vector<ReportContent> contents;
     for (const RecordingSet& set : document.sets().all()) {
         const std::vector<RecordingId> recordings = analysed(document, set.recordings);
         if (!recordings.empty() || isReportedLog(document, set)) {
             const QString name = setName(document, set);
-            contents.push_back(reportContentOf(document, {name, recordings, set.id, false}));
+            contents.push_back(reportContentOf(document, {name, recordings, set.id, false}, usual));
             contents.back().set = name;
             contents.back().drift.reset();  // sets may be those of several gyros
             contents.back().chapter = static_cast<int>(contents.size());
@@ -222,8 +222,10 @@ std::vector<ReportContent> reportContentsOf(const Document& document,
     return contents;
 }
 
-ReportContent reportContentOf(const Document& document, const ReportSubject& subject) {
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject,
+                              const ReportTitle& usual) {
     ReportContent content;
+    content.title = usual;
     const RecordingSet* set = identifiedSet(document, subject);
     for (const RecordingId id : subject.recordings) {
         const RecordingEntry& entry = *document.recording(id);
@@ -247,11 +249,10 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
             content.recordings.push_back({log});
         }
     }
-    content.title.date = measuredOn(content.recordings);
     content.limits = document.dossier().dossier().limits;
     content.drift = document.drift().outcome();
     if (set) {
-        content.title = titleOf(document.sets().measured(*set), content.title);
+        content.title = titleOf(document.sets().measured(*set), usual);
         content.absent = absentFiles(*set);
         content.outcome = document.sets().outcome(*set);
         if (const Error* const refusal = document.sets().refusal(*set);
@@ -259,6 +260,9 @@ ReportContent reportContentOf(const Document& document, const ReportSubject& sub
             content.not_identified = *refusal;
         }
         content.out_of_date = content.outcome && document.sets().outOfDate(*set, *content.outcome);
+    }
+    if (content.title.date.isEmpty()) {
+        content.title.date = measuredOn(content.recordings);
     }
     return content;
 }

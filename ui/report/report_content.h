@@ -149,10 +149,13 @@ struct ReportSubject {
 std::vector<ReportSubject> reportSubjects(const Document& document);
 
 // What the document holds of a subject: visible analyses, and the newest identification of the set
-// or of the recording alone. Without a title but for the date. All sets are a chapter each.
-std::vector<ReportContent> reportContentsOf(const Document& document, const ReportSubject& subject);
+// or of the recording alone. The title is that of the set's list, where that has no text `usual`,
+// and without a date there that of the files. All sets are a chapter each.
+std::vector<ReportContent> reportContentsOf(const Document& document, const ReportSubject& subject,
+                                            const ReportTitle& usual = {});
 
 // The same of one set or recording.
-ReportContent reportContentOf(const Document& document, const ReportSubject& subject);
+ReportContent reportContentOf(const Document& document, const ReportSubject& subject,
+                              const ReportTitle& usual = {});
 
 }  // namespace vybeg::ui

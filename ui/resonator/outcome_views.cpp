@@ -109,7 +109,7 @@ NumbersView::NumbersView(Document& document, QWidget* parent)
     modes_tab_ = addTab(modes_);
     sensitivities_tab_ = addTab(sensitivities_);
     fill(new QVBoxLayout(this), {}, 2, {warnings_, resonator_, reason_, statistical_, {tabs_, 1}});
-    connect(&document_.sets(), &SetStore::passportChanged, this, &NumbersView::showAgain);
+    connect(&document_.passport(), &PassportStore::changed, this, &NumbersView::showAgain);
     connect(&document_.dossier(), &DossierModel::changed, this, &NumbersView::showAgain);
     retranslate();
 }
@@ -163,7 +163,7 @@ void NumbersView::showAgain() {
 void NumbersView::showParameters() {
     const Identification& found = shown_->identification;
     auto rows = resonatorRows(found, units(), document_.dossier().dossier().limits,
-                              document_.sets().differences(), theme());
+                              document_.passport().differences(found.fit), theme());
     const bool structured = !rows.empty();
     int absent = -1;  // the first
     for (std::size_t k = rows.size(); k-- > 0;) {
@@ -355,25 +355,27 @@ ComparisonView::ComparisonView(Document& document, QWidget* parent)
     fill(new QVBoxLayout(this), {}, 2,
          {passport_, other_gyro_, limit, differences_, incomparable_, track_choice_, tracks_,
           close_});
-    connect(close_, &QPushButton::clicked, &document_.sets(), &SetStore::closePassport);
+    connect(close_, &QPushButton::clicked, &document_.passport(), &PassportStore::close);
     connect(limit_, &NumberField::valueEdited, this,
-            [this](auto ppm) { document_.sets().setFrequencyLimit(*ppm); });
+            [this](auto ppm) { document_.passport().setFrequencyLimit(*ppm); });
     connect(track_choice_, &QComboBox::activated, this, &ComparisonView::showAgain);
-    connect(&document_.sets(), &SetStore::passportChanged, this, &ComparisonView::showAgain);
+    connect(&document_.passport(), &PassportStore::changed, this, &ComparisonView::showAgain);
     connect(&document_.dossier(), &DossierModel::changed, this, &ComparisonView::showAgain);
     retranslate();
 }
 
 void ComparisonView::showAgain() {
-    const PassportComparison* passport = document_.sets().passport();
+    const PassportInput& input = document_.passport().input();
+    const Passport* passport = input.passport.get();
     setVisible(passport != nullptr);
     if (!passport) {
         return;
     }
-    const QString name =
-        QFileInfo(QString::fromStdString(passport->file)).fileName().toHtmlEscaped();
-    const std::vector<Difference> differences = document_.sets().differences();
-    const auto other = document_.sets().otherGyro(document_.dossier().dossier().gyro);
+    const QString name = QFileInfo(pathText(input.file)).fileName().toHtmlEscaped();
+    const std::vector<Difference> differences =
+        shown_ ? document_.passport().differences(shown_->identification.fit)
+               : std::vector<Difference>();
+    const auto other = document_.sets().otherGyro(*passport, document_.dossier().dossier().gyro);
     other_gyro_->setText(other ? QStringLiteral("⚠ ") + diagnosticText(*other) : QString());
     other_gyro_->setVisible(other.has_value());
     passport_->setText(
@@ -382,7 +384,7 @@ void ComparisonView::showAgain() {
                  "difference or more; by chance in one comparison of 370.")
                   .arg(name, QLocale().toString(changed_from(count_compared(differences)), 'f', 1))
             : tr("%1 is open: identify the set to compare.").arg(name));
-    limit_->setValue(document_.sets().frequencyLimit());
+    limit_->setValue(input.f_limit_ppm);
     const QStringList reasons = incomparableTexts(differences);
     for (QWidget* part : std::initializer_list<QWidget*>{differences_, track_choice_, tracks_}) {
         part->setVisible(shown_ != nullptr);
@@ -392,7 +394,7 @@ void ComparisonView::showAgain() {
         differences_->setContent(differenceHeaders(),
                                  differenceRows(differences, units(), theme()));
         incomparable_->setText(paragraphs(reasons, tr("Not comparable: %1")));
-        tracks_->setContent(trackPlot(*shown_, passport->passport,
+        tracks_->setContent(trackPlot(*shown_, *passport,
                                       static_cast<SlowVariable>(track_choice_->currentIndex()),
                                       units(), styles_));
     }

@@ -38,7 +38,7 @@ ResonatorPage::ResonatorPage(Document& document, QWidget* parent)
     connect(&document_, &Document::recordingChanged, this, &ResonatorPage::refresh);
     connect(&document_, &Document::busyChanged, this,
             [this] { showState(document_.sets().current()); });
-    connect(&document_.sets(), &SetStore::passportChanged, this, &ResonatorPage::showTabs);
+    connect(&document_.passport(), &PassportStore::changed, this, &ResonatorPage::showTabs);
     guardFromWheel(*this);
     retranslate();
 }
@@ -57,7 +57,7 @@ void ResonatorPage::showTabs() {
     QTabWidget& tabs = *numbers_->tabs();
     tabs.setTabVisible(balance_tab_,
                        shown_ && shown_->identification.fit.model == ResonatorModel::structured);
-    const bool compared = document_.sets().passport() != nullptr;
+    const bool compared = document_.passport().content() != nullptr;
     tabs.setTabVisible(comparison_tab_, compared);
     numbers_->setVisible(compared || !numbers_->isEmpty());
     // The hint in the place of the figures then has all the page.

@@ -20,13 +20,7 @@ namespace vybeg::ui {
 
 namespace {
 
-// Objects of a session. A view's ranges, variables and cursors.
-const QString time_key = QStringLiteral("time_s");
-const QString values_key = QStringLiteral("values");
-const QString variables_key = QStringLiteral("variables");
-const QString cursors_key = QStringLiteral("cursors_s");
-
-// What a measurement list says of a set.
+// Objects of a session. What a measurement list says of a set.
 const QString columns_key = QStringLiteral("other_columns");
 const QString members_key = QStringLiteral("members");
 const QString by_panel_key = QStringLiteral("by_panel");
@@ -54,19 +48,11 @@ const QString tolerance_key = QStringLiteral("tolerance");
 const QString recordings_key = QStringLiteral("recordings");
 const QString sets_key = QStringLiteral("sets");
 const QString drift_key = QStringLiteral("drift");
+const QString passport_key = QStringLiteral("passport");
 const QString logs_key = QStringLiteral("logs");
 const QString view_key = QStringLiteral("view");
 const QString gyro_key = QStringLiteral("gyro");
 const QString limits_key = QStringLiteral("limits");
-
-template <class Archive, Described<SessionView> Owner>
-void describe(Archive&& archive, Owner& view) {
-    // As TrendKind.
-    constexpr std::array<const char*, trend_kinds> trends{"line", "beat"};
-    archive("page", view.page);
-    archive.word("trend", view.trend, trends);
-    archive("units", view.units);
-}
 
 template <class Archive, Described<AnalysisEntry> Owner>
 void describe(Archive&& archive, Owner& analysis) {
@@ -104,20 +90,6 @@ QString storedPath(const QString& path, const QDir& folder) {
 
 QString pathFromJson(const QJsonObject& json, const QDir& folder) {
     return QDir::cleanPath(folder.absoluteFilePath(json[path_key].toString()));
-}
-
-QJsonArray rangeToJson(const AxisRange& range) {
-    return {range.lower, range.upper};
-}
-
-std::optional<AxisRange> rangeFromJson(const QJsonValue& value) {
-    const QJsonArray ends = value.toArray();
-    const AxisRange range{ends.at(0).toDouble(), ends.at(1).toDouble()};
-    return range.lower < range.upper ? std::optional(range) : std::nullopt;
-}
-
-QString columnOf(SlowVariable variable) {
-    return QLatin1String(info(variable).column);
 }
 
 // The unknown columns of a list, or their fields.
@@ -318,12 +290,20 @@ Result<RecordingSet> setFromJson(const QJsonObject& json, std::size_t recordings
     return set;
 }
 
+QJsonObject fileToJson(const RecordingRef& file, const QDir& folder) {
+    return {{path_key, storedPath(pathText(file), folder)}, {sha256_key, text(file.sha256)}};
+}
+
+RecordingRef fileFromJson(const QJsonObject& json, const QDir& folder) {
+    RecordingRef file;
+    file.path = pathFromJson(json, folder).toStdU16String();
+    file.sha256 = json[sha256_key].toString().toStdString();
+    return file;
+}
+
 // `json` has the keys of a later version, which stay.
 QJsonObject driftToJson(const DriftInput& drift, QJsonObject json, const QDir& folder) {
-    const QJsonArray logs = listToJson(drift.logs, [&folder](const RecordingRef& log) {
-        return QJsonObject{{path_key, storedPath(pathText(log), folder)},
-                           {sha256_key, text(log.sha256)}};
-    });
+    const QJsonArray logs = listToJson(drift.logs, fileToJson, folder);
     const QJsonObject settings = settingsToJson(drift_settings(), drift.settings);
     if (!logs.isEmpty() || !settings.isEmpty()) {
         json[logs_key] = logs;
@@ -336,12 +316,27 @@ Result<DriftInput> driftFromJson(const QJsonObject& json, const QDir& folder) {
     auto settings = TRY(settingsFromJson(drift_settings(), json[settings_key].toObject()));
     DriftInput drift{{}, std::move(settings)};
     for (const auto& value : json[logs_key].toArray()) {
-        const QJsonObject json_log = value.toObject();
-        RecordingRef& log = drift.logs.emplace_back();
-        log.path = pathFromJson(json_log, folder).toStdU16String();
-        log.sha256 = json_log[sha256_key].toString().toStdString();
+        drift.logs.push_back(fileFromJson(value.toObject(), folder));
     }
     return drift;
+}
+
+// Its file and the limit; `json` as above.
+QJsonObject passportToJson(const PassportInput& passport, QJsonObject json, const QDir& folder) {
+    if (!passport.file.path.empty()) {
+        json[file_key] = fileToJson(passport.file, folder);
+        describe(JsonWriter(json), passport);
+    }
+    return json;
+}
+
+PassportInput passportFromJson(const QJsonObject& json, const QDir& folder) {
+    PassportInput passport;
+    if (const QJsonObject file = json[file_key].toObject(); !file[path_key].toString().isEmpty()) {
+        passport.file = fileFromJson(file, folder);
+        describe(JsonReader(json), passport);
+    }
+    return passport;
 }
 
 // By parameter the least and the greatest value in stored units, null for none.
@@ -408,6 +403,7 @@ Session sessionOf(const Document& document, const TrackView& tracks) {
         }
     }
     session.drift = {document.drift().logs(), document.drift().settings()};
+    session.passport = document.passport().input();
     const PlotContent content = tracks.content();
     session.view.zoom = content.zoom;
     session.view.variables = content.variables;
@@ -463,61 +459,9 @@ std::vector<RecordingId> restoreSession(const Session& session, Document& docume
         document.sets().setCurrent(all[static_cast<std::size_t>(current)].id);
     }
     document.drift().startWith(session.drift);
+    document.passport().startWith(session.passport);
     document.undoStack().clear();  // of this session alone
     return ids;
-}
-
-void restoreView(const SessionView& view, TrackView& tracks) {
-    if (!view.variables.empty()) {
-        tracks.setShownVariables(view.variables);
-    }
-    tracks.setZoom(view.zoom);
-    tracks.setCursor(Cursor::a, view.cursors_s[0]);
-    tracks.setCursor(Cursor::b, view.cursors_s[1]);
-}
-
-QJsonObject viewToJson(const SessionView& view) {
-    QJsonObject values;
-    for (const auto& [variable, range] : view.zoom.fixed) {
-        values[columnOf(variable)] = rangeToJson(range);
-    }
-    QJsonArray cursors;
-    for (const auto& cursor : view.cursors_s) {
-        cursors.append(cursor ? QJsonValue(*cursor) : QJsonValue());
-    }
-    QJsonObject json{{time_key, rangeToJson(view.zoom.time)},
-                     {values_key, values},
-                     {variables_key, listToJson(view.variables, columnOf)},
-                     {cursors_key, cursors}};
-    describe(JsonWriter(json), view);
-    return json;
-}
-
-SessionView viewFromJson(const QJsonObject& json) {
-    SessionView view;
-    describe(JsonReader(json), view);
-    if (const auto time = rangeFromJson(json[time_key])) {
-        view.zoom.time = *time;
-    }
-    const QJsonObject values = json[values_key].toObject();
-    for (const SlowVariable variable : all_slow_variables) {
-        if (const auto range = rangeFromJson(values[columnOf(variable)])) {
-            view.zoom.fixed.emplace(variable, *range);
-        }
-    }
-    for (const auto& column : json[variables_key].toArray()) {
-        const auto found = std::ranges::find(all_slow_variables, column.toString(), columnOf);
-        if (found != all_slow_variables.end()) {
-            view.variables.push_back(*found);
-        }
-    }
-    const QJsonArray cursors = json[cursors_key].toArray();
-    for (int which = 0; which < 2; ++which) {
-        if (cursors.at(which).isDouble()) {
-            view.cursors_s[static_cast<std::size_t>(which)] = cursors.at(which).toDouble();
-        }
-    }
-    return view;
 }
 
 QJsonObject sessionToJson(const Session& session, const QDir& folder) {
@@ -536,17 +480,21 @@ QJsonObject sessionToJson(const Session& session, const QDir& folder) {
     describe(JsonWriter(gyro), session.dossier.gyro);
     json[gyro_key] = gyro;
     json[limits_key] = limitsToJson(session.dossier.limits);
-    const QJsonObject drift = driftToJson(session.drift, json[drift_key].toObject(), folder);
-    json.remove(drift_key);
-    if (!drift.isEmpty()) {
-        json[drift_key] = drift;
-    }
+    const auto put = [&json](const QString& key, const QJsonObject& value) {
+        json.remove(key);
+        if (!value.isEmpty()) {
+            json[key] = value;
+        }
+    };
+    put(drift_key, driftToJson(session.drift, json[drift_key].toObject(), folder));
+    put(passport_key, passportToJson(session.passport, json[passport_key].toObject(), folder));
     json[view_key] = viewToJson(session.view);
     return json;
 }
 
 QString misplacedKey(const QJsonObject& json) {
-    for (const QString& key : {settings_key, gyro_key, limits_key, drift_key, view_key}) {
+    for (const QString& key :
+         {settings_key, gyro_key, limits_key, drift_key, passport_key, view_key}) {
         if (json.contains(key) && !json[key].isObject()) {
             return key;
         }
@@ -581,12 +529,16 @@ Result<Session> sessionFromJson(const QJsonObject& json, const QDir& folder) {
     session.dossier.limits = limitsFromJson(json[limits_key].toObject());
     const QJsonObject drift = json[drift_key].toObject();
     session.drift = TRY(driftFromJson(drift, folder));
+    const QJsonObject passport = json[passport_key].toObject();
+    session.passport = passportFromJson(passport, folder);
     session.view = viewFromJson(json[view_key].toObject());
     session.unknown = without(without(json, fieldsOf(session)),
                               {session_schema_key, program_key, settings_key, tolerance_key,
                                recordings_key, sets_key, limits_key, view_key});
     session.unknown[gyro_key] = without(gyro, fieldsOf(session.dossier.gyro));
     session.unknown[drift_key] = without(drift, {logs_key, settings_key});
+    session.unknown[passport_key] =
+        without(without(passport, fieldsOf(session.passport)), {file_key});
     return session;
 }
 

@@ -8,32 +8,18 @@
 #include "ui/document/document.h"
 #include "ui/document/drift_store.h"
 #include "ui/document/edits.h"
-#include "ui/panels/measuring.h"
-#include "ui/plots/track_view.h"
+#include "ui/document/passport_store.h"
+#include "ui/session/session_view.h"
 #include "ui/values/ids.h"
 #include "ui/values/recording_set.h"
-#include "ui/values/zoom_state.h"
-#include "ui/words/display_units.h"
 
 #include <QDir>
 #include <QJsonObject>
 #include <QString>
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace vybeg::ui {
-
-// What the plots show.
-struct SessionView {
-    ZoomState zoom;
-    std::vector<SlowVariable> variables;
-    DisplayUnits units;
-    std::array<std::optional<double>, 2> cursors_s;  // A and B
-    TrendKind trend = TrendKind::line;               // between them
-    QString page;                                    // its word, pageWord(); empty: any
-};
 
 // Everything that makes the same picture and numbers again when the recordings are there: their
 // analyses are computed again.
@@ -48,6 +34,7 @@ struct Session {
     int current_set = -1;
     int current_analysis = -1;  // place among all analyses
     DriftInput drift;
+    PassportInput passport;
     SessionView view;
     // Keys of the file that this program does not know, written again.
     QJsonObject unknown;
@@ -60,15 +47,6 @@ Session sessionOf(const Document& document, const TrackView& tracks);
 // analyses. Recordings with an empty path are left out. Returns the ids of the recordings in their
 // order, 0 for those left out.
 std::vector<RecordingId> restoreSession(const Session& session, Document& document);
-
-// What the plots of a session show; for the end of the computations, because plots begin with the
-// whole range of each recording that joins.
-void restoreView(const SessionView& view, TrackView& tracks);
-
-// What the plots of a session show. Values that are missing or out of their range keep their
-// defaults.
-QJsonObject viewToJson(const SessionView& view);
-SessionView viewFromJson(const QJsonObject& json);
 
 inline constexpr int session_schema = 1;
 inline const QString session_schema_key = QStringLiteral("vybeg_session");

@@ -277,6 +277,9 @@ void SessionKeeper::keepAbsent(Session& session) {
         recording.path.clear();
     }
     std::ranges::for_each(session.drift.logs, follow_row);
+    if (!session.passport.file.path.empty()) {
+        follow_row(session.passport.file);
+    }
     for (RecordingSet& set : session.sets) {
         if (set.listed) {
             auto listed = std::make_shared<MeasurementSet>(*set.listed);
@@ -429,6 +432,7 @@ QJsonObject SessionKeeper::content() const {
     for (RecordingRef& log : session.drift.logs) {
         log.sha256.clear();
     }
+    session.passport.file.sha256.clear();
     session.current = -1;
     return sessionToJson(session, QDir::root());
 }

@@ -278,7 +278,7 @@ void ReportDialog::propose() {
     proposed_ = titleOf(document_.dossier().dossier().gyro);
     // Each of several sets has its own date, and the data of its list.
     if (!subject().all_sets) {
-        proposed_ = completed(reportContentOf(document_, subject()).title, proposed_);
+        proposed_ = reportContentOf(document_, subject(), proposed_).title;
     }
     proposed_.instrument = QSettings().value(instrument_key).toString();
     for (std::size_t k = 0; k < title_fields.size(); ++k) {
@@ -297,10 +297,10 @@ ReportTitle ReportDialog::typed() const {
 }
 
 std::vector<ReportContent> ReportDialog::contents() const {
-    std::vector<ReportContent> contents = reportContentsOf(document_, subject());
     const ReportTitle title = typed();
+    std::vector<ReportContent> contents = reportContentsOf(document_, subject(), title);
     for (ReportContent& content : contents) {
-        content.title = subject().all_sets ? completed(content.title, title) : title;
+        content.title = subject().all_sets ? content.title : title;
         content.summary = summary_->isChecked();
         if (all_plots_->isChecked()) {
             content.variables.assign(shown_slow_variables.begin(), shown_slow_variables.end());

@@ -239,7 +239,7 @@ void FileCommands::askToSaveAndThen(const std::function<void()>& then) {
 
 void FileCommands::askForPassport() {
     ask_.file(FileQuestions::tr("Compare with passport"), {FileQuestions::tr("Passport (*.json)")},
-              [this](const QString& path) { document_.sets().openPassport(path); });
+              [this](const QString& path) { document_.passport().open(path); });
 }
 
 void FileCommands::askForDatabase(bool make) {

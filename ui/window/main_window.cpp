@@ -130,6 +130,9 @@ MainWindow::MainWindow(Document& document, QWidget* parent)
     statusBar()->addWidget(times_);
     statusBar()->addWidget(status_, 1);
     statusBar()->setSizeGripEnabled(false);
+    messages_->floatOver(*this, [this] { return status_->progressWidth(); });
+    connect(status_, &StatusLine::progressPlaced, messages_, &MessageBar::settle);
+    connect(messages_, &MessageBar::cameOrWent, this, &MainWindow::showPanels);
     commands_ = new Commands(WindowCommands::of(*this), this);
     menus_ = new WindowMenus(
         *commands_, *tracks_, [this] { return static_cast<int>(theme_mode_); }, menu_bar_);
@@ -196,7 +199,6 @@ void MainWindow::layOut() {
     grid->setColumnStretch(1, 1);
     grid->setRowStretch(1, 1);
     setCentralWidget(center);
-    messages_->floatOver(*center);
 }
 
 // Menus, pages and the commands of the mouse in one row: the plots have the height of the others.
@@ -252,12 +254,11 @@ void MainWindow::connectDocument() {
     connect(&document_.drift(), &DriftStore::changed, this, &MainWindow::showCurrentRecording);
     connect(&tracks_page_->logTracks(), &LogTracks::changed, this,
             &MainWindow::showCurrentRecording);
-    connect(&document_.sets(), &SetStore::passportChanged, this, [this] {
-        if (document_.sets().passport()) {
-            pages_->showPage(Page::resonator);
-            resonator_->showComparison();
-        }
+    connect(&document_.passport(), &PassportStore::opened, this, [this] {
+        pages_->showPage(Page::resonator);
+        resonator_->showComparison();
     });
+    connect(&document_.passport(), &PassportStore::wanted, files_, &FileCommands::askForPassport);
     connect(&document_.dossier(), &DossierModel::changed, this, &MainWindow::showTitle);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, commands_, &Commands::refresh);
 }
@@ -370,12 +371,13 @@ void MainWindow::showPanels() {
     times_->setVisible(needs.ledger && !document_.analyses().empty());
     wave_->setVisible(needs.wave && wave);
     wave_button_->setVisible(needs.wave && width() >= wide);
-    // The row of the times is the ledger's; other pages own the window.
-    if (needs.ledger == statusBar()->isHidden()) {
-        statusBar()->setVisible(needs.ledger);
+    // The row of the times is the ledger's, and that of the messages; other pages own the window.
+    const bool row = needs.ledger || !messages_->isHidden();
+    if (row == statusBar()->isHidden()) {
+        statusBar()->setVisible(row);
         statusBar()->removeWidget(status_);
-        status_->floatOver(needs.ledger ? nullptr : centralWidget());
-        if (needs.ledger) {
+        status_->floatOver(row ? nullptr : centralWidget());
+        if (row) {
             statusBar()->addWidget(status_, 1);
             status_->show();
         }
@@ -518,6 +520,7 @@ void MainWindow::setThemeMode(ThemeMode mode) {
 void MainWindow::applyLook() {
     theme_ = applyTheme(*qApp, theme_mode_);
     commands_->setIcons(theme_.palette);
+    statusBar()->setMinimumHeight(messages_->lineHeight());
 }
 
 void MainWindow::retranslate() {

@@ -71,6 +71,10 @@ QString StatusLine::text() const {
     return status_->text();
 }
 
+int StatusLine::progressWidth() const {
+    return progress_->isHidden() ? 0 : sizeHint().width() - status_->sizeHint().width();
+}
+
 void StatusLine::cancel() {
     cancelled_ = true;
     document_.cancel();
@@ -143,6 +147,7 @@ void StatusLine::refresh() {
         analysing_ = true;
     }
     place();
+    emit progressPlaced();
 }
 
 void StatusLine::retranslate() {

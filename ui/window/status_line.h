@@ -24,8 +24,13 @@ public:
 
     QString text() const;
     void cancel();
+    // So wide is the progress at its right.
+    int progressWidth() const;
     // Over the lower edge of `page`, its parent from now on; null: in its row, which holds it.
     void floatOver(QWidget* page);
+
+signals:
+    void progressPlaced();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -382,11 +382,13 @@ private slots:
         auto* ok = buttons.button(QDialogButtonBox::Ok);
         QVERIFY(!ok->isEnabled());  // no name yet
         QTest::keyClicks(gyro.lineEdit(), "HRG-17");
-        QTest::keyClicks(&date, "31.03.2026");
+        QTest::keyClicks(&date, "31.3.26");
         QVERIFY(!ok->isEnabled());
-        date.clear();
-        QTest::keyClicks(&date, "2026-03-31");
-        QVERIFY(ok->isEnabled());
+        for (const char* written : {"2026-03-31T14:05", "31.03.2026"}) {
+            date.clear();
+            QTest::keyClicks(&date, written);
+            QVERIFY(ok->isEnabled());
+        }
         QTest::mouseClick(ok, Qt::LeftButton);
         QTRY_VERIFY(page().history() && page().history()->points.size() == 1);
         const HistoryPoint& point = page().history()->points.front();

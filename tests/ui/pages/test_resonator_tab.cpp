@@ -460,8 +460,8 @@ private slots:
         identify();
         window_->files().savePassportTo(home_.path("gyro.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("gyro.json")); }));
-        setStore().openPassport(home_.path("gyro.json"));
-        QVERIFY(QTest::qWaitFor([&] { return setStore().passport() != nullptr; }));
+        document().passport().open(home_.path("gyro.json"));
+        QVERIFY(QTest::qWaitFor([&] { return document().passport().content() != nullptr; }));
         QCOMPARE(cell("differences", "Frequency split"), QStringLiteral("= unchanged"));
         QCOMPARE(cell("differences", "Frequency split", 2), QStringLiteral("0.0"));
         QVERIFY(cell("differences", "Mean frequency", 4).endsWith("ppm") ||
@@ -480,17 +480,17 @@ private slots:
         QCOMPARE(cell("differences", "Decay time"), QStringLiteral("= unchanged"));
         QVERIFY2(cell("differences", "Frequency split", 4).contains("%"),
                  qPrintable(cell("differences", "Frequency split", 4)));
-        QCOMPARE(setStore().frequencyLimit(), 30.0);
+        QCOMPARE(document().passport().input().f_limit_ppm, 30.0);
         QCOMPARE(the<XYPlotView>("tracks").content().series.size(), std::size_t(8));
-        setStore().closePassport();
+        document().passport().close();
         QVERIFY(!the<QuantityTable>("differences").isVisible());
     }
 
     void a_damaged_passport_is_told_of() {
-        setStore().openPassport(home_.file("bad.json", "{"));
+        document().passport().open(home_.file("bad.json", "{"));
         QVERIFY(QTest::qWaitFor([&] { return !the<MessageBar>().texts().isEmpty(); }));
         QVERIFY(the<MessageBar>().texts().first().contains("bad.json"));
-        QVERIFY(!setStore().passport());
+        QVERIFY(!document().passport().content());
     }
 
     void plots_go_into_files_and_to_the_clipboard() {

@@ -167,8 +167,8 @@ private slots:
         }
         window_->files().savePassportTo(home_.path("two.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("two.json")); }));
-        setStore().openPassport(home_.path("two.json"));
-        QVERIFY(QTest::qWaitFor([&] { return setStore().passport() != nullptr; }));
+        document().passport().open(home_.path("two.json"));
+        QVERIFY(QTest::qWaitFor([&] { return document().passport().content() != nullptr; }));
         const auto& tracks = the<XYPlotView>("tracks").content().series;
         QCOMPARE(tracks.size(), std::size_t(4));
         for (const std::size_t k : {0, 1, 2, 3}) {

@@ -88,7 +88,8 @@ private slots:
 
     void a_wrong_kind_of_value_is_named_and_nothing_is_opened() {
         const QJsonObject sound = jsonOf(saved("sound"));
-        for (const char* key : {"recordings", "sets", "settings", "gyro", "limits", "view"}) {
+        for (const char* key :
+             {"recordings", "sets", "settings", "gyro", "limits", "passport", "view"}) {
             for (const QJsonValue& wrong :
                  {QJsonValue("text"), QJsonValue(7), QJsonValue(QJsonArray{1, 2})}) {
                 QJsonObject json = sound;

@@ -5,6 +5,9 @@
 
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QtEndian>
 #include <QtTest>
 
 namespace test_session_report {
@@ -29,7 +32,57 @@ class TestSessionReport : public QObject {
                 QString::fromUtf8(program.readAllStandardError())};
     }
 
+    // A recording that states its date, in a list of informations behind its samples.
+    QString dated(const QString& name) {
+        QFile file(home_.recording(name));
+        if (!file.open(QIODevice::ReadWrite)) {
+            return {};
+        }
+        const QByteArray list(
+            "LIST\x16\0\0\0INFOICRD\x0a\0\0\0"
+            "2026-11-28",
+            30);
+        QByteArray bytes = file.readAll() + list;
+        qToLittleEndian(static_cast<quint32>(bytes.size() - 8), bytes.data() + 4);
+        file.seek(0);
+        file.write(bytes);
+        return file.fileName();
+    }
+
+    // The date of measurement in the title of the report that the arguments make.
+    QString dateOf(const QStringList& arguments) {
+        const QString report = home_.path("dated.pdf");
+        const Outcome made = run(arguments + QStringList{"--report", report, "--summary"});
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", report, "-"});
+        reader.waitForFinished();
+        static const QRegularExpression date(QStringLiteral("Date of measurement +(\\S+)"));
+        return made.status == 0 ? date.match(reader.readAllStandardOutput()).captured(1) : made.err;
+    }
+
 private slots:
+    // Of a list comes first, then that of the command line, then that of the files, whether a
+    // session has them or not.
+    void the_date_of_the_command_line_takes_the_place_of_that_of_the_files() {
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QSKIP("poppler-utils is missing");
+        }
+        const QString recording = dated("dated.wav");
+        const auto session = [this](const char* name, const char* sets) {
+            return home_.file(name, QByteArray(R"({"vybeg_session": 1, "recordings": [
+                    {"path": "dated.wav", "runs": [{"name": "run"}]}], "current": 0, "sets": [)") +
+                                        sets + "]}");
+        };
+        const QString with_set = session("with.vybeg", R"({"name": "S", "recordings": [0]})");
+        const QString without_set = session("without.vybeg", "");
+        for (const QString& input : {recording, with_set, without_set}) {
+            QCOMPARE(dateOf({input}), QString("2026-11-28"));
+            QCOMPARE(dateOf({input, "--date", "2026-05-04"}), QString("2026-05-04"));
+        }
+        const QString list = home_.file("dated.csv", "file,date\ndated.wav,2025-01-02\n");
+        QCOMPARE(dateOf({"--list", list, "--date", "2026-05-04"}), QString("2025-01-02"));
+    }
+
     void a_session_has_its_report_without_a_display() {
         home_.recording("of_session.wav");
         const QString report = home_.path("session.pdf");

@@ -3,6 +3,7 @@
 #include "tests/test_registry.h"
 #include "tests/ui/gui_test.h"
 #include "tests/ui/resonator_runs.h"
+#include "ui/panels/message_bar.h"
 #include "ui/resonator/resonator_page.h"
 #include "ui/session/session.h"
 #include "ui/session/session_keeper.h"
@@ -11,11 +12,15 @@
 #include "ui/window/main_window.h"
 
 #include <QClipboard>
+#include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLabel>
+#include <QPushButton>
+#include <QStandardPaths>
 #include <QTest>
 
 namespace test_session_results {
@@ -110,6 +115,30 @@ class TestSessionResults : public QObject, private WindowTest {
     QString state() { return childOf<QLabel>(*window_, QStringLiteral("state")).text(); }
     QString warnings() { return childOf<QLabel>(*window_, QStringLiteral("warnings")).text(); }
 
+    QString messages() { return childOf<MessageBar>(*window_).texts().join('\n'); }
+
+    // Whether the table has changes since the passport.
+    bool isCompared() {
+        return cellOf("resonator", "Frequency split", "Since the passport") != nullptr;
+    }
+
+    bool becomesCompared() {
+        return QTest::qWaitFor([this] { return isCompared(); }, 60000);
+    }
+
+    // A session like `fresh_` in which the passport of that result is open, both of this name.
+    QString compared(const QString& name) {
+        const QString path = copyOf(fresh_, name + ".vybeg");
+        reopen(path);
+        const QString passport = home_.path(name + ".json");
+        window_->files().savePassportTo(passport);
+        const bool written = QTest::qWaitFor([&] { return QFile::exists(passport); }, 60000);
+        document().passport().open(passport);
+        const bool open = becomesCompared();
+        return written && open && session().isModified() && savedTo(*window_, path) ? path
+                                                                                    : QString();
+    }
+
     static QJsonObject jsonOf(const QString& path) {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
@@ -131,6 +160,11 @@ private slots:
         session().end();
         for (const QString& file : files_) {
             QFile::rename(file + ".away", file);
+        }
+        // Passports of the same result are the same, and found by their content.
+        const QDir home(home_.path("."));
+        for (const QString& passport : home.entryList({"*.json"}, QDir::Files)) {
+            QFile::remove(home.filePath(passport));
         }
     }
 
@@ -196,6 +230,110 @@ private slots:
         QVERIFY(!childOf<QuantityTable>(*window_, QStringLiteral("resonator")).isVisible());
         QVERIFY(savedTo(*window_, path));
         QCOMPARE(jsonOf(path)["sets"].toArray()[0].toObject()["result"].toObject(), result);
+    }
+
+    void a_passport_is_open_again_with_its_session() {
+        const QString path = compared("gyro");
+        const QJsonObject file = jsonOf(path)["passport"].toObject()["file"].toObject();
+        QCOMPARE(file["path"].toString(), QString("gyro.json"));
+        QVERIFY(!file["sha256"].toString().isEmpty());
+        reopen(path);
+        QVERIFY(becomesCompared());
+        QCOMPARE(messages(), QString());
+        QVERIFY(!session().isModified());
+        document().passport().setFrequencyLimit(12);
+        QVERIFY(session().isModified());
+        QVERIFY(savedTo(*window_, path));
+        reopen(path);
+        QVERIFY(becomesCompared());
+        QCOMPARE(document().passport().input().f_limit_ppm, 12.0);
+        document().passport().close();
+        QVERIFY(!isCompared() && session().isModified());
+        document().undoStack().undo();
+        QVERIFY(isCompared() && !session().isModified());
+        document().undoStack().redo();
+        QVERIFY(savedTo(*window_, path));
+        QVERIFY(!jsonOf(path).contains("passport"));
+        reopen(path);
+        QVERIFY(!isCompared());
+    }
+
+    // Without its file the results are there, and the session keeps its place.
+    void a_passport_that_is_away_is_told_of_and_kept() {
+        const QString path = compared("lost");
+        const QJsonValue stored = jsonOf(path)["passport"];
+        QVERIFY(QFile::rename(home_.path("lost.json"), home_.path("elsewhere.txt")));
+        reopen(path);
+        QTRY_VERIFY2_WITH_TIMEOUT(messages().contains("The session's passport cannot be opened") &&
+                                      messages().contains("lost.json"),
+                                  qPrintable(messages()), 60000);
+        QVERIFY(!isCompared());
+        QCOMPARE(numbers("resonator"), fresh_.resonator);
+        QVERIFY(!session().isModified());
+        document().dossier().setGyro({"17", {}, {}, {}});
+        QVERIFY(savedTo(*window_, path));
+        QCOMPARE(jsonOf(path)["passport"], stored);
+        QTest::mouseClick(childOf<MessageBar>(*window_).findChild<QPushButton*>(), Qt::LeftButton);
+        auto& files = childOf<QFileDialog>(*window_, "files");
+        QVERIFY(files.isVisible());
+        emit files.fileSelected(home_.path("elsewhere.txt"));
+        files.close();
+        QVERIFY(becomesCompared());
+        // Under another name beside the session it is found by its content.
+        QVERIFY(QFile::rename(home_.path("elsewhere.txt"), home_.path("renamed.json")));
+        reopen(path);
+        QVERIFY(becomesCompared());
+        QCOMPARE(messages(), QString());
+    }
+
+    void a_passport_that_has_changed_is_told_of_and_compared_with() {
+        const QString path = compared("changed");
+        QFile file(home_.path("changed.json"));
+        QVERIFY(file.open(QIODevice::Append) && file.write("\n") == 1);
+        file.close();
+        reopen(path);
+        QVERIFY(becomesCompared());
+        QVERIFY2(messages().contains("changed.json is another passport"), qPrintable(messages()));
+        QVERIFY(!session().isModified());
+    }
+
+    void the_result_of_a_session_is_compared_without_its_recordings() {
+        const QString path = compared("alone");
+        hideRecordings();
+        reopen(path);
+        QVERIFY(!outcome());
+        QVERIFY(becomesCompared());
+    }
+
+    void what_a_later_version_knows_of_a_passport_is_kept() {
+        const QString path = compared("later");
+        QJsonObject json = jsonOf(path);
+        QJsonObject passport = json["passport"].toObject();
+        passport["later"] = 7;
+        json["passport"] = passport;
+        home_.file("later.vybeg", QJsonDocument(json).toJson());
+        reopen(path);
+        QVERIFY(becomesCompared());
+        QVERIFY(savedTo(*window_, path));
+        QCOMPARE(jsonOf(path)["passport"].toObject(), passport);
+    }
+
+    void a_copy_against_crashes_has_the_passport() {
+        const QString path = compared("copied");
+        const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                          "/backups");
+        const auto copy = [&] {
+            const QStringList names = copies.entryList({"*.vybeg"}, QDir::Files);
+            return names.isEmpty() ? QString() : copies.filePath(names.last());
+        };
+        window_->action(Command::identify)->trigger();  // a result is copied at once
+        QTRY_VERIFY_WITH_TIMEOUT(jsonOf(copy()).contains("passport"), 60000);
+        const QString left = home_.path("left.vybeg");
+        QVERIFY(QFile::copy(copy(), left));
+        reopen(left);
+        QVERIFY(becomesCompared());
+        QVERIFY(session().isModified());
+        QCOMPARE(session().path(), path);
     }
 
     void warnings_come_back_with_their_words() {

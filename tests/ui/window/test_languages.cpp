@@ -165,8 +165,8 @@ private slots:
             20000));
         window.files().savePassportTo(home_.path("demo.json"));
         QVERIFY(QTest::qWaitFor([&] { return QFile::exists(home_.path("demo.json")); }));
-        window.document().sets().openPassport(home_.path("demo.json"));
-        QVERIFY(QTest::qWaitFor([&] { return window.document().sets().passport() != nullptr; }));
+        window.document().passport().open(home_.path("demo.json"));
+        QVERIFY(QTest::qWaitFor([&] { return window.document().passport().content() != nullptr; }));
         // Both with every choice on the screen: text here, raw samples in the other.
         const QString table = home_.file("demo-2.csv", "t;C;D\n0,1;1;2\n0,2;3;4\n0,3;5;6\n");
         BackgroundJobs job;

@@ -5,8 +5,10 @@
 #include "ui/window/page_stack.h"
 #include "ui/window/status_line.h"
 
+#include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QToolButton>
 #include <QtTest>
 
@@ -23,6 +25,22 @@ class TestMessageBar : public QObject {
     static Message told(MessageLevel severity, const char* text) {
         return {severity, [text] { return QString(text); }};
     }
+
+    // Newest first, without those that wait.
+    static QStringList shown(const MessageBar& bar) {
+        QStringList texts;
+        for (const QString& text : bar.texts()) {
+            const auto widgets = bar.findChildren<QFrame*>();
+            const bool is_shown = std::ranges::any_of(widgets, [&text](const QFrame* row) {
+                return row->accessibleName() == text && !row->isHidden();
+            });
+            texts << (is_shown ? QStringList(text) : QStringList());
+        }
+        return texts;
+    }
+
+    // Whole messages, or one line again.
+    static void press(const MessageBar& bar) { childOf<QToolButton>(bar, "openMessages").click(); }
 
     // That of the newest message.
     static void closeNewest(const MessageBar& bar) {
@@ -46,27 +64,35 @@ private slots:
         for (const char* text : {"first", "second", "third", "fourth"}) {
             bar.add(told(MessageLevel::warning, text));
         }
-        QCOMPARE(bar.texts(), (QStringList{"fourth", "third", "recover?"}));
+        QCOMPARE(shown(bar), QStringList{"fourth"});
+        press(bar);
+        QCOMPARE(shown(bar), (QStringList{"fourth", "third", "recover?"}));
         childOf<QPushButton>(bar).click();
         QCOMPARE(pressed, 1);
-        QCOMPARE(bar.texts(), (QStringList{"fourth", "third", "second"}));
+        QCOMPARE(shown(bar), (QStringList{"fourth", "third", "second"}));
+        press(bar);
+        QCOMPARE(shown(bar), QStringList{"fourth"});
     }
 
     // Seven files fail: what is behind the three is counted, and comes as others are closed.
     void failures_wait_and_come_as_others_are_closed() {
         MessageBar bar;
+        bar.resize(600, 60);
         bar.show();
         const auto& more = childOf<QWidget>(bar, "moreMessages");
         for (const char* text : {"1", "2", "3", "4", "5", "6", "7"}) {
             bar.add(told(MessageLevel::error, text));
         }
-        QCOMPARE(bar.texts(), (QStringList{"7", "6", "5"}));
+        QCOMPARE(shown(bar), QStringList{"7"});
+        QVERIFY(childOf<QToolButton>(bar, "openMessages").text().startsWith("6 more"));
+        press(bar);
+        QCOMPARE(shown(bar), (QStringList{"7", "6", "5"}));
         QVERIFY(more.isVisible());
         QVERIFY(childOf<QLabel>(more).text().startsWith("4 more"));
         // Warnings of later files hide no error but by the newest of them.
         bar.add(told(MessageLevel::warning, "odd"));
         bar.add(told(MessageLevel::warning, "odder"));
-        QCOMPARE(bar.texts(), (QStringList{"odder", "7", "6"}));
+        QCOMPARE(shown(bar), (QStringList{"odder", "7", "6"}));
         QStringList seen;
         while (!bar.texts().isEmpty()) {
             QVERIFY(bar.isVisible());
@@ -87,7 +113,8 @@ private slots:
         for (const char* text : {"1", "2", "3", "4"}) {
             bar.add(told(MessageLevel::error, text));
         }
-        QCOMPARE(bar.texts(), (QStringList{"4", "3", "recover?"}));
+        press(bar);
+        QCOMPARE(shown(bar), (QStringList{"4", "3", "recover?"}));
         childOf<QToolButton>(bar, "closeMessages").click();
         QCOMPARE(bar.texts(), QStringList{"recover?"});
     }
@@ -122,19 +149,61 @@ private slots:
         QVERIFY(std::ranges::none_of(bar.findChildren<QToolButton*>(), &QToolButton::isVisible));
     }
 
-    void a_message_moves_nothing() {
+    // It has the place of the status line, and its rest comes over the window at a click.
+    void a_message_moves_nothing_and_hides_no_row() {
         const auto window = shownWindow();
+        window->document().open({home_.recording("rows.wav")});
+        QTRY_VERIFY_WITH_TIMEOUT(!window->document().busy() && window->statusBar()->isVisible() &&
+                                     window->document().analyses().size() == 1,
+                                 20000);
         const auto& bar = childOf<MessageBar>(*window);
         const auto& pages = childOf<PageStack>(*window);
         const QRect place = pages.geometry();
-        const QWidget& center = *window->centralWidget();
-        for (const char* text : {"odd", "odder"}) {
-            window->document().report(told(MessageLevel::warning, text));
+        const QRect line = window->statusBar()->geometry();
+        const QByteArray sentence = QByteArray("A long sentence of many words. ").repeated(20);
+        for (const char* text : {"odd", "odder", sentence.constData()}) {
+            Message message = told(MessageLevel::warning, text);
+            message.buttons = {{[] { return QString("Find"); }, [] {}}};
+            window->document().report(message);
             QTRY_VERIFY(bar.isVisible());
-            QTRY_COMPARE(bar.geometry().bottom(), center.rect().bottom());
-            QCOMPARE(bar.width(), center.width());
-            QTRY_COMPARE(bar.height(), bar.heightForWidth(bar.width()));
+            QTRY_COMPARE(bar.geometry(), line);
             QCOMPARE(pages.geometry(), place);
+        }
+        press(bar);
+        QTRY_VERIFY(bar.height() > 3 * line.height());
+        QCOMPARE(bar.geometry().bottom(), line.bottom());
+        QCOMPARE(bar.height(), bar.heightForWidth(bar.width()));
+        QCOMPARE(pages.geometry(), place);
+        press(bar);
+        QTRY_COMPARE(bar.geometry(), line);
+    }
+
+    // The button is there where it shows more.
+    void a_message_that_fits_its_line_has_no_more() {
+        const auto window = shownWindow();
+        const auto& more = childOf<QToolButton>(*window, "openMessages");
+        window->document().report(told(MessageLevel::warning, "odd"));
+        QVERIFY(!more.isVisible());
+        const QByteArray sentence = QByteArray("A long sentence of many words. ").repeated(20);
+        window->document().report(told(MessageLevel::error, sentence.constData()));
+        QVERIFY(more.isVisible());
+        QCOMPARE(more.text(), QString("More"));
+        closeNewest(childOf<MessageBar>(*window));
+        QVERIFY(!more.isVisible());
+    }
+
+    // A page that owns the window has the line as long as there are messages.
+    void messages_have_their_line_on_every_page() {
+        const auto window = shownWindow();
+        const auto& bar = childOf<MessageBar>(*window);
+        for (const Page page : {Page::resonator, Page::drift, Page::history}) {
+            window->document().report(told(MessageLevel::warning, "odd"));
+            childOf<PageStack>(*window).showPage(page);
+            QVERIFY(window->statusBar()->isVisible());
+            QTRY_COMPARE(bar.geometry(), window->statusBar()->geometry());
+            closeNewest(bar);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            QVERIFY(!window->statusBar()->isVisible());
         }
     }
 
