@@ -163,10 +163,9 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
     const Reading b = readingAt(analysis, variable, to, units);
     Reading difference;
     difference.value = b.value - a.value;
-    if (isWrapped(variable)) {
-        const double turn =
-            2 * std::numbers::pi * displayScale(variable, units, analysis.f0_hz()).factor;
-        difference.value = std::remainder(difference.value, turn);
+    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
+    if (const double turn = isWrapped(variable) ? 2 * std::numbers::pi : scale.period; turn > 0) {
+        difference.value = std::remainder(difference.value, turn * scale.factor);
     }
     if (std::max(from, to) - std::min(from, to) >=
         windows_apart(analysis.plan.length, analysis.plan.hop)) {
