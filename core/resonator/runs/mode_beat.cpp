@@ -16,10 +16,10 @@ namespace vybeg {
 namespace {
 
 constexpr std::size_t merged_windows = 150;
-constexpr double beyond_noise = 3;  // standard deviations of chi^2 per degree of freedom
-constexpr double clear_beat = 6;    // standard deviations
-constexpr double white = 1.5;       // correlated windows
-constexpr double most_scatter = 9;  // chi^2 per degree of freedom
+constexpr double beyond_noise = 3;    // standard deviations of chi^2 per degree of freedom
+constexpr double clear_beat = 6;      // standard deviations
+constexpr double white = 1.5;         // correlated windows
+constexpr double most_scatter = 100;  // chi^2 per degree of freedom
 constexpr std::size_t turned_windows = 2400;
 
 PhasorRun phasors_between(const Track& track, double f_ref_hz, double from_s, double to_s,
