@@ -1277,10 +1277,6 @@
 <context>
     <name>Measuring</name>
     <message>
-        <source>no sinusoid fits</source>
-        <translation>не синусоида</translation>
-    </message>
-    <message>
         <source>Bent: %1; sd enlarged.</source>
         <translation>Изгиб больше шума: %1; СКО увеличены.</translation>
     </message>
@@ -1349,10 +1345,6 @@
         <translation>%1: амплитуда %2 %3, затухание %4 1/с</translation>
     </message>
     <message>
-        <source>Between the cursors no damped sinusoid of 1¼ to 100 periods follows the windows within their noise. A beat that you see has another form; the page Resonator finds its split.</source>
-        <translation>Ни одна затухающая синусоида с числом периодов от 1¼ до 100 не проходит между курсорами через окна в пределах их шума. Видимое биение имеет другую форму; его разночастотность находит страница «Резонатор».</translation>
-    </message>
-    <message>
         <source>Too few windows between the cursors.</source>
         <translation>Слишком мало окон между курсорами.</translation>
     </message>
@@ -1371,6 +1363,22 @@
     <message>
         <source>sd enlarged: %1</source>
         <translation>СКО увеличены: %1</translation>
+    </message>
+    <message>
+        <source>%1: no damped sinusoid, but the sum of two modes, which beat at %2 Hz</source>
+        <translation>%1: не затухающая синусоида, а сумма двух мод, частота биений %2 Гц</translation>
+    </message>
+    <message>
+        <source>nothing fits</source>
+        <translation>не описано</translation>
+    </message>
+    <message>
+        <source>two modes: %1</source>
+        <translation>две моды: %1</translation>
+    </message>
+    <message>
+        <source>Between the cursors neither a damped sinusoid of 1¼ to 100 periods nor the sum of two modes follows the windows within their noise. A beat that you see has another form or fewer periods: see the page Resonator.</source>
+        <translation>Ни затухающая синусоида с числом периодов от 1¼ до 100, ни сумма двух мод не проходит между курсорами через окна в пределах их шума. Видимое биение имеет другую форму или меньше периодов: см. страницу «Резонатор».</translation>
     </message>
 </context>
 <context>
@@ -6909,16 +6917,16 @@
         <translation>Тренд между курсорами</translation>
     </message>
     <message>
-        <source>A line is an exponential for the working wave; a beat is a damped sinusoid. Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
-        <translation>Прямая для рабочей волны — экспонента; биения — затухающая синусоида. Взвешенный метод наименьших квадратов по окнам между курсорами, не имеющим общих отсчётов. Где разброс больше шума, СКО увеличены во столько же.</translation>
-    </message>
-    <message>
         <source>start</source>
         <translation>начало</translation>
     </message>
     <message>
         <source>Values of the windows at the mouse in the plots, with standard deviations; of the first ones while it is elsewhere</source>
         <translation>Значения окон под мышью на графиках, с СКО; пока она не на графиках — первых окон</translation>
+    </message>
+    <message>
+        <source>A line is an exponential for the working wave; a beat is a damped sinusoid, or the sum of two modes of a resonator where none fits. Fitted by weighted least squares to the windows between the cursors that share no samples. Where they scatter more than their noise, the deviations grow by that.</source>
+        <translation>Прямая для рабочей волны — экспонента; биения — затухающая синусоида, а где она не подходит — сумма двух мод резонатора. Взвешенный метод наименьших квадратов по окнам между курсорами, не имеющим общих отсчётов. Где разброс больше шума, СКО увеличены во столько же.</translation>
     </message>
 </context>
 <context>
@@ -8560,6 +8568,26 @@ Open a recording and press Keep (F5).</source>
     <message>
         <source>Open rece&amp;nt</source>
         <translation>&amp;Недавние</translation>
+    </message>
+    <message>
+        <source>2θ_A or θ_A, bran&amp;ch</source>
+        <translation>2θ_A или θ_A, вы&amp;бор ветви</translation>
+    </message>
+    <message>
+        <source>2θ_A</source>
+        <translation>2θ_A</translation>
+    </message>
+    <message>
+        <source>θ_A, continuous</source>
+        <translation>θ_A, непрерывно</translation>
+    </message>
+    <message>
+        <source>θ_A from −45° to 45°</source>
+        <translation>θ_A от −45° до 45°</translation>
+    </message>
+    <message>
+        <source>θ_A from 0° to 90°</source>
+        <translation>θ_A от 0° до 90°</translation>
     </message>
 </context>
 </TS>

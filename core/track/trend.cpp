@@ -99,7 +99,6 @@ Scatter scatter_about(const Points& points, int parameters,
 
 // Of a beat, whose points have times in units of the span, from its middle on.
 constexpr std::size_t least_beat_windows = 10;
-constexpr double least_periods = 1.25;
 constexpr double most_periods = 100;
 constexpr double steps_per_period = 6;        // of the search: frequencies 1/(6 span) apart
 constexpr std::size_t searched_points = 512;  // more than four a period
@@ -177,7 +176,8 @@ Fit linear_fit(const Points& points, double periods) {
 
 Fit search(const Points& points) {
     Fit best;
-    for (double periods = least_periods; periods <= most_periods; periods += 1 / steps_per_period) {
+    for (double periods = least_beat_periods; periods <= most_periods;
+         periods += 1 / steps_per_period) {
         Fit fit = linear_fit(points, periods);
         if (fit.chi2 < best.chi2) {
             best = std::move(fit);
@@ -313,7 +313,7 @@ std::optional<Beat> find_beat(const Track& track, SlowVariable variable, double 
     beat.sd_amplitude = sd(
         (x[in_phase] * BeatVector::Unit(in_phase) + x[quadrature] * BeatVector::Unit(quadrature)) /
         beat.amplitude);
-    const bool found = x[frequency] >= least_periods && x[frequency] <= most_periods + 1 &&
+    const bool found = x[frequency] >= least_beat_periods && x[frequency] <= most_periods + 1 &&
                        scatter.enlargement == 1 &&
                        beat.amplitude > significant_amplitude * beat.sd_amplitude;
     return found ? std::optional(beat) : std::nullopt;

@@ -73,6 +73,8 @@ struct Beat {
     double at(double time_s) const;
 };
 
+inline constexpr double least_beat_periods = 1.25;  // between the times
+
 // Frequencies from one and a quarter periods to 100 periods between the times are searched: less of
 // a period fits any smooth curve. Nothing where the amplitude lies within six of its deviations of
 // zero, where the points scatter about the beat by more than their noise, because

@@ -395,7 +395,8 @@ void LedgerHead::retranslate() {
     setTexts(*kind_, {tr("line"), tr("beat")});
     kind_->setAccessibleName(tr("Trend between the cursors"));
     kind_->setToolTip(
-        tr("A line is an exponential for the working wave; a beat is a damped sinusoid. "
+        tr("A line is an exponential for the working wave; a beat is a damped sinusoid, or the "
+           "sum of two modes of a resonator where none fits. "
            "Fitted by weighted least squares to the windows between the cursors that share no "
            "samples. Where they scatter more than their noise, the deviations grow by that."));
 }

@@ -1,5 +1,6 @@
 #include "ui/panels/measuring.h"
 
+#include "core/numerics/phase.h"
 #include "ui/values/curve_data.h"
 #include "ui/words/error_text.h"
 
@@ -83,18 +84,41 @@ QStringList lineSentences(const std::vector<FittedTrend>& trends, const DisplayU
     return sentences;
 }
 
+// Variables whose beat is that of two modes.
+QStringList ofModes(const std::vector<FittedTrend>& trends, const DisplayUnits& units) {
+    QStringList names;
+    for (const FittedTrend& trend : trends) {
+        if (std::holds_alternative<ModeBeat>(trend.fit)) {
+            names << displaySymbol(trend.variable, units);
+        }
+    }
+    return names;
+}
+
 QStringList beatSentences(const ShownAnalysis& shown, const std::vector<FittedTrend>& trends,
                           const DisplayUnits& units) {
     QStringList sentences;
+    const ModeBeat* modes = nullptr;
     for (const FittedTrend& trend : trends) {
-        const auto& beat = std::get<Beat>(trend.fit);
-        const Reading amplitude = changeOf(scaleOf(*shown.analysis, trend, units), beat.value,
-                                           beat.amplitude, beat.sd_amplitude);
+        const auto* beat = std::get_if<Beat>(&trend.fit);
+        if (!beat) {
+            modes = &std::get<ModeBeat>(trend.fit);
+            continue;
+        }
+        const Reading amplitude = changeOf(scaleOf(*shown.analysis, trend, units), beat->value,
+                                           beat->amplitude, beat->sd_amplitude);
         sentences << Words::tr("%1: amplitude %2 %3, damping %4 1/s")
                          .arg(displaySymbol(trend.variable, units),
                               valueText(amplitude.value, amplitude.sd),
                               displayUnit(trend.variable, units, shown.unit),
-                              valueText(beat.damping_per_s, beat.sd_damping_per_s));
+                              valueText(beat->damping_per_s, beat->sd_damping_per_s));
+    }
+    if (modes) {
+        sentences << Words::tr(
+                         "%1: no damped sinusoid, but the sum of two modes, which beat at "
+                         "%2 Hz")
+                         .arg(ofModes(trends, units).join(QStringLiteral(", ")),
+                              valueText(modes->frequency_hz, modes->sd_frequency_hz));
     }
     return sentences;
 }
@@ -119,6 +143,9 @@ Reading trendReading(const Analysis& analysis, const FittedTrend& trend,
     if (const auto* beat = std::get_if<Beat>(&trend.fit)) {
         return {beat->frequency_hz, beat->sd_frequency_hz};
     }
+    if (const auto* modes = std::get_if<ModeBeat>(&trend.fit)) {
+        return {modes->frequency_hz, modes->sd_frequency_hz};
+    }
     const DisplayScale scale = scaleOf(analysis, trend, units);
     const auto& line = std::get<Trend>(trend.fit);
     const double middle = trend.at(line.centre_s);
@@ -133,9 +160,10 @@ QStringList trendSentences(const ShownAnalysis& shown, TrendKind kind,
     if (trends.empty()) {
         return {
             kind == TrendKind::beat
-                ? Words::tr("Between the cursors no damped sinusoid of 1¼ to 100 periods follows "
-                            "the windows within their noise. A beat that you see has another "
-                            "form; the page Resonator finds its split.")
+                ? Words::tr("Between the cursors neither a damped sinusoid of 1¼ to 100 periods "
+                            "nor the sum of two modes follows the windows within their noise. A "
+                            "beat that you see has another form or fewer periods: see the page "
+                            "Resonator.")
                 : Words::tr("Too few windows between the cursors.")};
     }
     return kind == TrendKind::beat ? beatSentences(shown, trends, units)
@@ -163,10 +191,9 @@ Reading differenceOf(const Analysis& analysis, SlowVariable variable, std::size_
     const Reading b = readingAt(analysis, variable, to, units);
     Reading difference;
     difference.value = b.value - a.value;
-    if (isWrapped(variable)) {
-        const double turn =
-            2 * std::numbers::pi * displayScale(variable, units, analysis.f0_hz()).factor;
-        difference.value = std::remainder(difference.value, turn);
+    const DisplayScale scale = displayScale(variable, units, analysis.f0_hz());
+    if (const double turn = isWrapped(variable) ? 2 * std::numbers::pi : scale.period; turn > 0) {
+        difference.value = std::remainder(difference.value, turn * scale.factor);
     }
     if (std::max(from, to) - std::min(from, to) >=
         windows_apart(analysis.plan.length, analysis.plan.hop)) {
@@ -180,12 +207,30 @@ constexpr std::size_t quick_rows = 100'000;
 
 std::vector<FittedTrend> trendsBetween(const Analysis& analysis, const Measuring& measuring) {
     std::vector<FittedTrend> trends;
-    if (isInside(analysis, measuring.a_s) && isInside(analysis, measuring.b_s)) {
-        for (const SlowVariable variable : main_slow_variables) {
-            if (auto trend =
-                    fitTrend(analysis, variable, measuring.kind, *measuring.a_s, *measuring.b_s)) {
-                trends.push_back(*trend);
+    if (!isInside(analysis, measuring.a_s) || !isInside(analysis, measuring.b_s)) {
+        return trends;
+    }
+    const auto [from, to] = std::minmax(*measuring.a_s, *measuring.b_s);
+    std::vector<SlowVariable> bent;  // as no damped sinusoid is
+    for (const SlowVariable variable : main_slow_variables) {
+        if (auto trend = fitTrend(analysis, variable, measuring.kind, from, to)) {
+            trends.push_back(std::move(*trend));
+        } else if (measuring.kind == TrendKind::beat) {
+            const auto line = fitTrend(analysis, variable, TrendKind::line, from, to);
+            if (line && std::get<Trend>(line->fit).enlargement > 1) {
+                bent.push_back(variable);
             }
+        }
+    }
+    if (bent.empty()) {
+        return trends;
+    }
+    const auto modes = find_mode_beat(analysis.track, analysis.f0_hz(),
+                                      analysis.settings.calibration.two_theta_zero(), from, to,
+                                      windows_apart(analysis.plan.length, analysis.plan.hop));
+    for (const SlowVariable variable : bent) {
+        if (modes) {
+            trends.push_back({variable, *modes});
         }
     }
     return trends;
@@ -210,10 +255,14 @@ QString tableOf(const QStringList& head, const auto& variables, const DisplayUni
 }  // namespace
 
 double FittedTrend::at(double time_s) const {
-    const double value = std::visit([time_s](const auto& each) { return each.at(time_s); }, fit);
-    const bool exponential =
-        std::holds_alternative<Trend>(fit) && kindOf(variable) == TrendOf::logarithm;
-    return exponential ? std::exp(value) : value;
+    if (const auto* modes = std::get_if<ModeBeat>(&fit)) {
+        return modes->at(variable, time_s);
+    }
+    if (const auto* beat = std::get_if<Beat>(&fit)) {
+        return beat->at(time_s);
+    }
+    const double value = std::get<Trend>(fit).at(time_s);
+    return kindOf(variable) == TrendOf::logarithm ? std::exp(value) : value;
 }
 
 TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double from_s, double to_s,
@@ -221,15 +270,23 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
     const DisplayScale scale = scaleOf(analysis, trend, units);
     const double span = std::abs(to_s - from_s);
     const auto* beat = std::get_if<Beat>(&trend.fit);
-    const int points =
-        beat ? std::max(curve_points, static_cast<int>(points_per_beat * beat->frequency_hz * span))
-             : curve_points;
+    const auto* modes = std::get_if<ModeBeat>(&trend.fit);
+    const double beats = (beat ? beat->frequency_hz : modes ? modes->frequency_hz : 0) * span;
+    const int points = std::max(curve_points, static_cast<int>(points_per_beat * beats));
     TrendCurve curve;
     curve.variable = trend.variable;
+    double last = std::numeric_limits<double>::quiet_NaN();
     for (int k = 0; k <= points; ++k) {
         const double time_s = std::min(from_s, to_s) + span * k / points;
+        double value = trend.at(time_s);
+        if (modes && trend.variable == SlowVariable::two_theta_A) {  // known modulo half a turn
+            const Track& track = analysis.track;
+            const double near = track.values(trend.variable)[nearestRow(track, time_s)];
+            last = std::isfinite(near) ? near : last;
+            value = std::isfinite(last) ? nearest_branch(value, last, std::numbers::pi) : value;
+        }
         curve.time_s.push_back(time_s);
-        curve.value.push_back(scale.value(trend.at(time_s)));
+        curve.value.push_back(scale.value(value));
     }
     return curve;
 }
@@ -237,8 +294,7 @@ TrendCurve curveOf(const Analysis& analysis, const FittedTrend& trend, double fr
 QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
                      const DisplayUnits& units) {
     if (trends.empty()) {
-        return kind == TrendKind::beat ? Words::tr("no sinusoid fits")
-                                       : Words::tr("too few windows");
+        return kind == TrendKind::beat ? Words::tr("nothing fits") : Words::tr("too few windows");
     }
     QStringList words;
     if (kind == TrendKind::line) {
@@ -258,6 +314,9 @@ QString trendSummary(TrendKind kind, const std::vector<FittedTrend>& trends,
     }
     if (const QStringList names = leaving(trends, units); !names.isEmpty()) {
         words << Words::tr("sd enlarged: %1").arg(names.join(QLatin1Char(' ')));
+    }
+    if (const QStringList names = ofModes(trends, units); !names.isEmpty()) {
+        words << Words::tr("two modes: %1").arg(names.join(QLatin1Char(' ')));
     }
     return words.join(QStringLiteral(", "));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/analysis.h"
+#include "core/resonator/runs/mode_beat.h"
 #include "core/track/trend.h"
 #include "ui/document/document.h"
 #include "ui/values/shown_analysis.h"
@@ -31,10 +32,10 @@ enum class TrendKind { line, beat };
 inline constexpr int trend_kinds = 2;
 
 // The trend of one variable between two times, in stored units; a line through a_A is one through
-// its logarithm, an exponential.
+// its logarithm, an exponential. A beat that is no damped sinusoid is that of two modes.
 struct FittedTrend {
     SlowVariable variable = SlowVariable::a_A;
-    std::variant<Trend, Beat> fit;
+    std::variant<Trend, Beat, ModeBeat> fit;
 
     double at(double time_s) const;
 };

@@ -423,6 +423,8 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
     setLook(content.theme, font);
     removeGraphs();
     const DisplayScale scale = displayScale(variable_, units, referenceFrequency(content.analyses));
+    DisplayScale drawn = scale;  // of values that are on their branch, and of their bands
+    drawn.period = 0;
     QStringList file_units;
     for (const ShownAnalysis& shown : content.analyses) {
         if (!shown.visible || !shown.analysis || shown.analysis->track.rows() == 0) {
@@ -430,11 +432,11 @@ void PlotPanel::setContent(const PlotContent& content, const QFont& font) {
         }
         file_units << shown.unit;
         const DecimatedGraph::Look look{
-            scale, bands_,
+            drawn, bands_,
             static_cast<double>(graphs_.size()) / static_cast<double>(content.analyses.size()),
             readable(shown.color, theme(), shown.shade), theme().warning};
-        graphs_.push_back(
-            new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_), look, graphs_));
+        graphs_.push_back(new DecimatedGraph(timeAxis(), valueAxis(), shown.curve(variable_, scale),
+                                             look, graphs_));
     }
     addTrend(content, scale);
     const bool degrees =
@@ -456,21 +458,27 @@ void PlotPanel::addTrend(const PlotContent& content, const DisplayScale& scale) 
         return;
     }
     trend_ = mParentPlot->addGraph(timeAxis(), valueAxis());
+    QVector<double> times(found->time_s.begin(), found->time_s.end());
     QVector<double> values(found->value.begin(), found->value.end());
     const auto of = std::ranges::find(content.analyses, found->of, &ShownAnalysis::id);
-    if (isWrapped(variable_) && of != content.analyses.end() && !values.empty()) {
+    const double turn =
+        (isWrapped(variable_) ? 2 * std::numbers::pi : scale.period) * std::abs(scale.factor);
+    if (isWrapped(variable_) && of != content.analyses.end()) {
         // Onto the branch of its curve.
-        const qsizetype middle = values.size() / 2;
         const auto curve = of->curve(variable_);
-        const std::size_t row = curve->nearest(found->time_s[static_cast<std::size_t>(middle)]);
-        const double turn = 2 * std::numbers::pi * scale.factor;
-        const double on_curve = scale.value(curve->value(row));
-        const double off = nearest_branch(values[middle], on_curve, turn) - values[middle];
-        for (double& value : values) {
-            value += std::isfinite(off) ? off : 0;
+        for (qsizetype k = 0; k < values.size(); ++k) {
+            const double on_curve = scale.value(curve->value(curve->nearest(times[k])));
+            values[k] =
+                std::isfinite(on_curve) ? nearest_branch(values[k], on_curve, turn) : values[k];
         }
     }
-    trend_->setData(QVector<double>(found->time_s.begin(), found->time_s.end()), values, true);
+    for (qsizetype k = values.size() - 1; turn > 0 && k > 0; --k) {
+        if (std::abs(values[k] - values[k - 1]) > turn / 2) {
+            values.insert(k, std::nan(""));  // from one end of the branch to the other
+            times.insert(k, times[k]);
+        }
+    }
+    trend_->setData(times, values, true);
     trend_->setPen(QPen(theme().text, 1.6, Qt::DashLine));
     trend_->setSelectable(QCP::stNone);
 }

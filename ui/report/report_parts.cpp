@@ -28,6 +28,7 @@ PlotContent plotsOf(const ReportContent& content, std::size_t recording) {
     PlotContent plots;
     plots.variables = content.variables;
     plots.units = content.units;
+    plots.units.wave_angle = WaveAngle::doubled;  // as files have it
     for (const AnalysisEntry& each : content.recordings[recording].analyses) {
         plots.analyses.push_back(each.shown);
         plots.analyses.back().visible = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <numbers>
 
 namespace vybeg::ui {
@@ -37,7 +38,7 @@ AxisRange withoutSpikes(const std::vector<double>& lows, const std::vector<doubl
 
 }  // namespace
 
-void append(CurveColumn& column, const CurveColumn& next) {
+void append(CurveColumn& column, const CurveColumn& next, double half_turn) {
     column.missing = column.missing || next.missing;
     if (next.empty()) {
         return;
@@ -46,7 +47,7 @@ void append(CurveColumn& column, const CurveColumn& next) {
         column.time_first = next.time_first;
         column.first = next.first;
     } else {
-        column.wraps = column.wraps || std::abs(next.first - column.last) > std::numbers::pi;
+        column.wraps = column.wraps || std::abs(next.first - column.last) > half_turn;
     }
     column.wraps = column.wraps || next.wraps;
     column.time_last = next.time_last;
@@ -61,7 +62,8 @@ void append(CurveColumn& column, const CurveColumn& next) {
     column.positive_min = std::min(column.positive_min, next.positive_min);
 }
 
-CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable)
+CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable,
+                     const DisplayScale& scale)
     : analysis_(std::move(analysis)),
       variable_(variable),
       time_(analysis_->track.time_s()),
@@ -70,6 +72,14 @@ CurveData::CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable vari
       wrapped_(isWrapped(variable)) {
     if (variable == SlowVariable::delta_phi_CD) {
         joinTurns();
+    }
+    if (scale.period > 0) {
+        wrapped_ = true;
+        half_turn_ = scale.period / 2;
+        middle_ = scale.middle;
+        std::ranges::transform(value_, std::back_inserter(joined_),
+                               [&scale](double value) { return scale.onBranch(value); });
+        value_ = joined_;
     }
     for (std::size_t size = fan; size <= rows(); size *= fan) {
         std::vector<CurveColumn> level;
@@ -134,7 +144,7 @@ void CurveData::addRows(CurveColumn& column, std::size_t begin, std::size_t end)
             sum.time_first = time_[row];
             sum.first = value;
         } else if (wrapped_) {
-            sum.wraps = sum.wraps || std::abs(value - sum.last) > std::numbers::pi;
+            sum.wraps = sum.wraps || std::abs(value - sum.last) > half_turn_;
         }
         sum.last = value;
         last_row = row;
@@ -173,7 +183,7 @@ CurveColumn CurveData::summarise(std::size_t begin, std::size_t end) const {
             size = std::min(fan - row % fan, end - row);
             addRows(column, row, row + size);
         } else {
-            append(column, levels_[level - 1][row / size]);
+            append(column, levels_[level - 1][row / size], half_turn_);
             column.wraps = column.wraps && wrapped_;
         }
         row += size;
@@ -213,7 +223,7 @@ std::vector<CurveColumn> CurveData::columns(const AxisRange& time, int count) co
         }
         CurveColumn column = summarise(row, end);
         column.joined = before_has_value && std::isfinite(value_[row]) &&
-                        !(wrapped_ && std::abs(value_[row] - before) > std::numbers::pi);
+                        !(wrapped_ && std::abs(value_[row] - before) > half_turn_);
         if (column.empty()) {
             column.time_first = time_[row];
             column.time_last = time_[end - 1];

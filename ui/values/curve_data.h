@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -34,15 +35,17 @@ struct CurveColumn {
     bool empty() const { return !(min <= max); }
 };
 
-// Appends a column that follows in time.
-void append(CurveColumn& column, const CurveColumn& next);
+// Appends a column that follows in time; values farther apart than half a turn wrap.
+void append(CurveColumn& column, const CurveColumn& next, double half_turn = std::numbers::pi);
 
 // One variable of one analysis for drawing: least and greatest value of every pixel column without
 // reading each window, from summaries of 64, 64 times 64, ... windows. Immutable; keeps the
 // analysis with its track alive.
 class CurveData {
 public:
-    CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable);
+    // The values of an angle are those on the branch of `scale`.
+    CurveData(std::shared_ptr<const Analysis> analysis, SlowVariable variable,
+              const DisplayScale& scale = {});
     CurveData(const CurveData&) = delete;
     CurveData& operator=(const CurveData&) = delete;
 
@@ -76,6 +79,7 @@ private:
     std::span<const double> value_;
     std::span<const double> sd_;
     bool wrapped_ = false;
+    double half_turn_ = std::numbers::pi;
     double middle_ = 0;           // of an angle
     std::vector<double> joined_;  // its values, if they are not those of the track
     bool empty_ = true;

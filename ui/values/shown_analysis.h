@@ -29,10 +29,14 @@ struct ShownAnalysis {
     std::shared_ptr<const Analysis> analysis;
     Curves curves;  // of the analysis; computed on drawing if empty
 
-    std::shared_ptr<const CurveData> curve(SlowVariable variable) const {
+    // The values of an angle on the branch of `scale`, computed on drawing where it has one.
+    std::shared_ptr<const CurveData> curve(SlowVariable variable,
+                                           const DisplayScale& scale = {}) const {
         const auto made = std::ranges::find_if(
             curves, [variable](const auto& each) { return each->variable() == variable; });
-        return made == curves.end() ? std::make_shared<const CurveData>(analysis, variable) : *made;
+        return made == curves.end() || scale.period > 0
+                   ? std::make_shared<const CurveData>(analysis, variable, scale)
+                   : *made;
     }
 };
 

@@ -202,6 +202,9 @@ void WindowMenus::addUnits(QMenu* view) {
          QT_TR_NOOP("Deviation from f₀, ppm")});
     add(QT_TR_NOOP("&Angles in"), &DisplayUnits::angle,
         {QT_TR_NOOP("Radians"), QT_TR_NOOP("Degrees")});
+    add(QT_TR_NOOP("2θ_A or θ_A, bran&ch"), &DisplayUnits::wave_angle,
+        {QT_TR_NOOP("2θ_A"), QT_TR_NOOP("θ_A, continuous"), QT_TR_NOOP("θ_A from −45° to 45°"),
+         QT_TR_NOOP("θ_A from 0° to 90°")});
     add(QT_TR_NOOP("A&mplitudes in"), &DisplayUnits::amplitude,
         {QT_TR_NOOP("Recording units"), QT_TR_NOOP("Decibels")});
 }

@@ -146,6 +146,10 @@ Unit unitOf(SlowVariable variable, const DisplayUnits& units) {
     return {};
 }
 
+bool isSingleAngle(SlowVariable variable, const DisplayUnits& units) {
+    return variable == SlowVariable::two_theta_A && units.wave_angle != WaveAngle::doubled;
+}
+
 // For lupdate: those that files name most.
 [[maybe_unused]] constexpr const char* units_of_files[] = {QT_TRANSLATE_NOOP("DisplayUnits", "V"),
                                                            QT_TRANSLATE_NOOP("DisplayUnits", "mV")};
@@ -158,8 +162,12 @@ QString translatedUnit(const QString& unit) {
 
 }  // namespace
 
+double DisplayScale::onBranch(double stored) const {
+    return period > 0 ? stored - period * std::floor((stored - middle) / period + 0.5) : stored;
+}
+
 double DisplayScale::value(double stored) const {
-    return decibels ? 20 * std::log10(std::abs(stored)) : (stored - origin) * factor;
+    return decibels ? 20 * std::log10(std::abs(stored)) : (onBranch(stored) - origin) * factor;
 }
 
 double DisplayScale::sd(double stored, double sd) const {
@@ -178,12 +186,19 @@ DisplayScale displayScale(SlowVariable variable, const DisplayUnits& units, doub
         scale.origin = f0_hz;
         scale.factor = ppm && f0_hz > 0 ? 1e6 / f0_hz : 1;
     }
+    if (isSingleAngle(variable, units)) {
+        const bool whole = units.wave_angle == WaveAngle::continuous;
+        scale.factor /= 2;
+        scale.period = whole ? 0 : std::numbers::pi;
+        scale.middle = units.wave_angle == WaveAngle::from_zero ? std::numbers::pi / 2 : 0;
+    }
     return scale;
 }
 
 QString displaySymbol(SlowVariable variable, const DisplayUnits& units) {
     const Unit unit = unitOf(variable, units);
-    return QString::fromUtf8(unit.before) + QString::fromUtf8(info(variable).symbol) +
+    const char* symbol = isSingleAngle(variable, units) ? "θ_A" : info(variable).symbol;
+    return QString::fromUtf8(unit.before) + QString::fromUtf8(symbol) +
            QString::fromUtf8(unit.behind);
 }
 

@@ -41,11 +41,15 @@ QString siPrefix(int exponent);
 enum class FrequencyUnit { hertz, radians_per_second, deviation_hertz, deviation_ppm };
 enum class AngleUnit { radians, degrees };
 enum class AmplitudeUnit { recording, decibels };
+// 2theta_A as it is stored, or theta_A: continuous, or the one in [-45, 45) or in [0, 90) degrees
+// of the angles 90 degrees apart that are, with alpha carried along, the same motion.
+enum class WaveAngle { doubled, continuous, about_zero, from_zero };
 
 // In which units and on which scale the engineer reads the slow variables.
 struct DisplayUnits {
     FrequencyUnit frequency = FrequencyUnit::hertz;
     AngleUnit angle = AngleUnit::radians;
+    WaveAngle wave_angle = WaveAngle::doubled;
     AmplitudeUnit amplitude = AmplitudeUnit::recording;
     bool log_a_A = false;  // no matter with decibels
     bool sigma_bands = true;
@@ -57,19 +61,24 @@ template <class Archive, Described<DisplayUnits> Owner>
 void describe(Archive&& archive, Owner& units) {
     archive.number("frequency", units.frequency, FrequencyUnit::deviation_ppm);
     archive.number("angle", units.angle, AngleUnit::degrees);
+    archive.number("wave_angle", units.wave_angle, WaveAngle::from_zero);
     archive.number("amplitude", units.amplitude, AmplitudeUnit::decibels);
     archive("log_a_A", units.log_a_A);
     archive("sigma_bands", units.sigma_bands);
 }
 
 // From stored values (track.h) to displayed ones: (value - origin) * factor, or
-// 20 lg |value| in decibels relative to one recording unit.
+// 20 lg |value| in decibels relative to one recording unit; of an angle on one branch the value in
+// [middle - period/2, middle + period/2).
 struct DisplayScale {
     double origin = 0;
     double factor = 1;
     bool decibels = false;
     bool logarithmic = false;  // of the axis; the values stay as they are
+    double period = 0;         // stored units; 0: no branch
+    double middle = 0;
 
+    double onBranch(double stored) const;
     double value(double stored) const;
     // A standard deviation at a stored value, first order.
     double sd(double stored, double sd) const;

@@ -37,12 +37,12 @@ Eigen::Map<const Eigen::VectorXd> view(const std::vector<double>& values) {
 }
 
 // Least-squares trend, and its last coefficient over its deviation in white noise.
-struct Trend {
+struct FittedSeries {
     Eigen::VectorXd value;
     double last_over_sd = 0;
 };
 
-Trend fitted_trend(const RateSeries& series, Eigen::Index order) {
+FittedSeries fitted_trend(const RateSeries& series, Eigen::Index order) {
     const Eigen::VectorXd root_weight = view(series.sd).cwiseInverse();
     const Eigen::MatrixXd functions =
         trend_functions(view(series.time_s), root_weight, series.part, order);

@@ -135,7 +135,8 @@ struct Solution {
         ModeSum sum;
         sum.chi2 = chi2;
         sum.freedom = 4 * static_cast<double>(data->time_s.size()) - 6 * static_cast<double>(modes);
-        const double scale = std::max(1.0, chi2 / sum.freedom) * correlation_windows();
+        sum.correlated_windows = correlation_windows();
+        const double scale = std::max(1.0, chi2 / sum.freedom) * sum.correlated_windows;
         const MatrixXcd jacobian = derivatives();
         const MatrixXcd covariance =
             (jacobian.adjoint() * jacobian)
@@ -155,6 +156,11 @@ struct Solution {
             sum.shapes.emplace_back(amplitudes[0][mode], amplitudes[1][mode]);
             sum.shape_sd.push_back(std::max(sd(modes + mode), sd(2 * modes + mode)) /
                                    sum.shapes.back().norm());
+        }
+        if (modes == 2) {
+            const double common = 2 * covariance(0, 1).real() * scale;
+            sum.beat_sd = std::sqrt(
+                std::max(std::pow(sum.rate_sd[0], 2) + std::pow(sum.rate_sd[1], 2) - common, 0.0));
         }
         return sum;
     }

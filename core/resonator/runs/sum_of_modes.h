@@ -20,8 +20,10 @@ struct ModeSum {
     std::vector<double> rate_sd;           // of the real and of the imaginary part, for the scatter
     std::vector<Eigen::Vector2cd> shapes;  // (c, d) at the first window
     std::vector<double> shape_sd;          // relative, of the larger part
+    double beat_sd = 0;                    // of the difference of two rates, as rate_sd
     double chi2 = 0;
     double freedom = 0;
+    double correlated_windows = 1;  // over which what it leaves keeps its sign
 };
 
 // The sum of `count` modes (1 or 2) of least squares: start values by linear prediction over

@@ -257,6 +257,41 @@ private slots:
         QVERIFY(!takesPrefix(SlowVariable::a_A, units, "V"));
     }
 
+    // Angles 90 degrees apart are one motion, whose branch is chosen.
+    void every_branch_of_the_wave_angle_is_the_same_wave() {
+        constexpr SlowVariable angle = SlowVariable::two_theta_A;
+        DisplayUnits units;
+        units.angle = AngleUnit::degrees;
+        const auto scale = [&](WaveAngle choice) {
+            units.wave_angle = choice;
+            return displayScale(angle, units, 0);
+        };
+        for (const double doubled : {-275., -91., -90., -1., 0., 1., 89., 91., 179., 181., 3599.}) {
+            const double stored = doubled * std::numbers::pi / 180;
+            VYBEG_CLOSE(scale(WaveAngle::doubled).value(stored), doubled, 1e-9);
+            VYBEG_CLOSE(scale(WaveAngle::continuous).value(stored), doubled / 2, 1e-9);
+            for (const auto& [choice, least] :
+                 {std::pair{WaveAngle::about_zero, -45.}, std::pair{WaveAngle::from_zero, 0.}}) {
+                const double shown = scale(choice).value(stored);
+                VYBEG_CLOSE(std::remainder(shown - doubled / 2, 90), 0, 1e-9);
+                VYBEG_MORE(shown, least - 1e-9);
+                VYBEG_LESS(shown, least + 90 - 1e-9);
+            }
+        }
+        for (const WaveAngle choice :
+             {WaveAngle::continuous, WaveAngle::about_zero, WaveAngle::from_zero}) {
+            VYBEG_CLOSE(scale(choice).sd(1, 0.02), 0.5 * scale(WaveAngle::doubled).sd(1, 0.02),
+                        1e-12);
+            units.wave_angle = choice;
+            QCOMPARE(displaySymbol(angle, units), QStringLiteral("θ_A"));
+            QCOMPARE(displaySymbol(SlowVariable::alpha, units), QStringLiteral("α"));
+            QVERIFY(displayScale(SlowVariable::alpha, units, 0) ==
+                    displayScale(SlowVariable::alpha, {.angle = AngleUnit::degrees}, 0));
+        }
+        units.wave_angle = WaveAngle::doubled;
+        QCOMPARE(displaySymbol(angle, units), QStringLiteral("2θ_A"));
+    }
+
     void an_amplitude_has_the_unit_of_its_file() {
         const DisplayUnits units;
         QCOMPARE(displayUnit(SlowVariable::a_B, units, "V"), QStringLiteral("V"));

@@ -191,6 +191,34 @@ private slots:
         QVERIFY(!columns[10].wraps);
     }
 
+    // A wave that turns, on one branch: dense and window by window.
+    void an_angle_on_a_branch_jumps_at_its_ends_alone() {
+        constexpr double pi = std::numbers::pi;
+        DisplayUnits units;
+        units.wave_angle = WaveAngle::from_zero;
+        const DisplayScale scale = displayScale(SlowVariable::two_theta_A, units, 0);
+        constexpr double turn = 1e-3;  // from window to window: 1 of 3142 jumps
+        const auto analysis = analysisOf(100000, SlowVariable::two_theta_A,
+                                         [](std::size_t row) { return turn * double(row); });
+        const CurveData data(analysis, SlowVariable::two_theta_A, scale);
+        int wraps = 0;
+        for (const CurveColumn& column : data.columns({0, 99999}, 200)) {
+            VYBEG_AT_LEAST(column.min, 0);
+            VYBEG_LESS(column.max, pi);
+            wraps += column.wraps ? 1 : 0;
+            if (column.wraps) {
+                VYBEG_LESS(column.negative_max, pi / 2);
+                VYBEG_MORE(column.positive_min, pi / 2);
+            }
+        }
+        QCOMPARE(wraps, static_cast<int>(turn * 99999 / pi));
+        const auto single = data.columns({3130, 3150}, 1000);
+        const auto jumps = std::ranges::count_if(
+            single, [](const CurveColumn& c) { return !c.joined && c.time_first > 3131; });
+        QCOMPARE(jumps, 1);
+        VYBEG_CLOSE(data.value(4000), 4 - pi, 1e-12);
+    }
+
     void panning_does_not_move_column_borders() {
         const auto analysis =
             analysisOf(100000, SlowVariable::a_B, [](std::size_t row) { return hash(row); });

@@ -101,6 +101,7 @@ class TestSession : public QObject, private WindowTest {
         document().sets().setModel(set, FitOptions::Model::free);
         DisplayUnits units;
         units.angle = AngleUnit::degrees;
+        units.wave_angle = WaveAngle::from_zero;
         units.frequency = FrequencyUnit::deviation_hertz;
         units.sigma_bands = false;
         units.log_a_A = true;
@@ -128,6 +129,7 @@ private slots:
     void an_unknown_trend_is_a_line() {
         QCOMPARE(viewFromJson(QJsonObject{{"trend", "cubic"}}).trend, TrendKind::line);
         QCOMPARE(viewFromJson(QJsonObject{{"trend", "beat"}}).trend, TrendKind::beat);
+        QVERIFY(viewFromJson({}).units.wave_angle == WaveAngle::doubled);
     }
 
     void a_session_reopened_shows_the_same() {
@@ -172,6 +174,7 @@ private slots:
         QVERIFY(!session().isModified());
         QVERIFY(window_->windowTitle().startsWith("one.vybeg — HRG-17 — "));
         QCOMPARE(the<Ledger>().trendKind(), TrendKind::beat);
+        QVERIFY(the<TrackView>().units().wave_angle == WaveAngle::from_zero);
         const Dossier& dossier = document().dossier().dossier();
         QCOMPARE(dossier.gyro, (GyroData{"HRG-17", "30 mm", "Orlova", "after annealing"}));
         QCOMPARE(dossier.limits,

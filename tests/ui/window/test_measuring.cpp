@@ -1,4 +1,5 @@
 // Cursors that measure: set by key, mouse and typing, read in the table, drawn, copied.
+#include "core/resonator/runs/mode_beat.h"
 #include "core/track/trend.h"
 #include "tests/closeness.h"
 #include "tests/test_registry.h"
@@ -6,7 +7,10 @@
 #include "ui/panels/ledger.h"
 #include "ui/plots/track_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/tracks_page.h"
+#include "ui/words/rich_text.h"
 
+#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
@@ -19,6 +23,12 @@ namespace test_measuring {
 
 using namespace vybeg;
 using namespace vybeg::ui;
+
+struct MenuText {
+    static QString tr(const char* text) {
+        return QCoreApplication::translate("vybeg::ui::WindowMenus", text);
+    }
+};
 
 class TestMeasuring : public QObject, private WindowTest {
     Q_OBJECT
@@ -238,6 +248,98 @@ private slots:
             } else {
                 QCOMPARE(cell(variable), QStringLiteral("—"));
             }
+        }
+    }
+
+    // No damped sinusoid follows a large swing; the modes of the resonator do, and say so.
+    void a_large_swing_beats_as_its_modes() {
+        FreeDecay decay;
+        decay.seconds = 2;
+        decay.rate_hz = 8000;
+        decay.f0_hz = 1000;
+        decay.a_B = -0.4;
+        decay.two_theta_A = 0.9;
+        decay.split_hz = 3;
+        decay.tau_s = 3;
+        decay.noise = 1e-3;
+        window_->document().closeRecording(window_->document().recordings().front().id);
+        window_->document().open({home_.recording("swing.wav", decay)});
+        QVERIFY(idle(1));
+        ledger().setTrendKind(TrendKind::beat);
+        setCursors(0.2, 1.8);
+        read("readRate");
+        const std::size_t apart = windows_apart(analysis().plan.length, analysis().plan.hop);
+        const auto modes = find_mode_beat(analysis().track, analysis().f0_hz(), 0, 0.2, 1.8, apart);
+        QVERIFY(modes);
+        VYBEG_WITHIN(modes->frequency_hz, decay.split_hz, 4 * modes->sd_frequency_hz);
+        for (const SlowVariable variable : {SlowVariable::a_B, SlowVariable::two_theta_A}) {
+            QVERIFY(!find_beat(analysis().track, variable, 0.2, 1.8, apart));
+            compare(variable, modes->frequency_hz, modes->sd_frequency_hz);
+        }
+        for (const char* language : {"ru", "en"}) {
+            window_->setLanguage(language);
+            QTest::qWait(1);
+            const QTreeWidgetItem& row = *ledger().topLevelItem(0);
+            QVERIFY2(
+                row.text(Ledger::trend).contains("a_B") && row.text(Ledger::trend).contains("2θ_A"),
+                qPrintable(row.text(Ledger::trend)));
+            const QString value = valueText(modes->frequency_hz, modes->sd_frequency_hz);
+            QVERIFY2(row.toolTip(Ledger::trend).contains(richText(value)),
+                     qPrintable(row.toolTip(Ledger::trend)));
+        }
+        // The curves lie on the windows.
+        const auto& trends = the<TrackView>().content().trends;
+        for (const SlowVariable variable : {SlowVariable::a_B, SlowVariable::two_theta_A}) {
+            const auto drawn = std::ranges::find(trends, variable, &TrendCurve::variable);
+            QVERIFY(drawn != trends.end());
+            const DisplayScale scale = displayScale(variable, the<TrackView>().units(), 0);
+            for (std::size_t k = 0; k < drawn->time_s.size(); ++k) {
+                const auto values = analysis().track.values(variable);
+                const std::size_t row = nearestRow(analysis().track, drawn->time_s[k]);
+                const auto around = values.subspan(row - 1, 3);
+                VYBEG_MORE(drawn->value[k], scale.value(std::ranges::min(around) - 0.01));
+                VYBEG_LESS(drawn->value[k], scale.value(std::ranges::max(around) + 0.01));
+            }
+        }
+    }
+
+    // A choice of the window: plots, ledger, cursors, figures and what is copied agree.
+    void the_angle_of_the_wave_is_read_on_the_chosen_branch() {
+        constexpr SlowVariable angle = SlowVariable::two_theta_A;
+        constexpr double degrees = 180 / std::numbers::pi;
+        const auto choose = [this](const QString& text) {
+            const auto actions = window_->findChildren<QAction*>();
+            const auto found = std::ranges::find(actions, text, &QAction::text);
+            QVERIFY(found != actions.end());
+            (*found)->trigger();
+        };
+        setCursors(0.5, 1.5);
+        read("readA");
+        const auto [doubled, sd] = number(angle);
+        const double stored = analysis().track.values(angle)[nearestRow(analysis().track, 0.5)];
+        VYBEG_WITHIN(doubled, stored * degrees, sd);
+        const auto top = [this] { return the<TrackView>().valueRange(angle).upper; };
+        const double high = top();
+        for (const char* language : {"ru", "en"}) {
+            window_->setLanguage(language);
+            QTest::qWait(1);
+            choose(MenuText::tr("θ_A from 0° to 90°"));
+            VYBEG_CLOSE(number(angle).first, doubled / 2, 0.6 * sd);
+            VYBEG_CLOSE_RATIO(number(angle).second, sd / 2, 0.3);
+            QCOMPARE(ledger().headerItem()->text(ledger().columnOf(angle)),
+                     QStringLiteral("θA, °"));
+            VYBEG_CLOSE_RATIO(top(), high / 2, 1e-6);
+            QVERIFY(the<TracksPage>().figures().plots.contains(QStringLiteral("θA")));
+            QVERIFY(the<TracksPage>().articleFigure().plots.contains(QStringLiteral("θA")));
+            const QString copied = ledger().tableText();
+            QVERIFY(copied.contains("\nθ_A, °\t") && !copied.contains("2θ_A"));
+            // The rate of the trend is half of it, too; the drift in words is that of θ_A always.
+            read("readRate");
+            const Trend trend = expected(angle, 0.5, 1.5);
+            compare(angle, trend.slope_per_s * degrees / 2, trend.sd_slope_per_s * degrees / 2);
+            read("readA");
+            choose(MenuText::tr("2θ_A"));
+            QCOMPARE(number(angle).first, doubled);
         }
     }
 
