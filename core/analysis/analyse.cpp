@@ -4,6 +4,7 @@
 #include "core/analysis/setting_table.h"
 #include "core/numerics/phase.h"
 #include "core/recording/checks/recording_check.h"
+#include "core/track/motion.h"
 #include "core/track/track.h"
 
 #include <algorithm>
@@ -67,6 +68,35 @@ void add_estimation(const EstimationSummary& estimation, const SampleFaults& fau
     add_diagnostics(estimation, analysis);
     analysis.timing.read_s = estimation.read_s;
     analysis.timing.estimate_s = estimation.estimate_s;
+}
+
+// Few windows have no neighbours a window length before and after that show a motion inside: the
+// parts of the first and of the last one do.
+Status look_inside(const ConditionedRecording& prepared, const WindowPlan& plan,
+                   const Settings& settings, double rate_hz, const JobControl& job,
+                   std::vector<FlaggedRows>& moving) {
+    constexpr std::int64_t parts = 9;
+    const std::int64_t length = plan.length / parts;
+    if ((plan.count - 1) * plan.hop >= 2 * plan.length ||
+        length < 4 * least_window(prepared.f0_hz, rate_hz)) {
+        return {};
+    }
+    const ConditionedRecording again = prepared.past_check();
+    Settings own = settings;
+    own.initial.reset();
+    for (const std::int64_t window : {std::int64_t{0}, plan.count - 1}) {
+        const std::int64_t first = plan.start(window);
+        Track whole;
+        Track cut;
+        TRY(estimate_track(again, {first, plan.length, plan.hop, 1}, own, rate_hz, 1,
+                           appended_to(whole), job.silent()));
+        TRY(estimate_track(again, {first, length, length, parts}, own, rate_hz, 1, appended_to(cut),
+                           job.silent()));
+        if (MotionMarker::bends_inside(MotionMarker::row_of(whole, 0), cut)) {
+            moving = {{0, static_cast<std::size_t>(plan.count), Flag::moving}};
+        }
+    }
+    return {};
 }
 
 // Names the line that the recording holds, where the windows about the carrier that was given leave
@@ -251,8 +281,9 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     const auto plan = TRY(plan_of(settings, prepared, recording));
     AnalysisSummary analysis = summary_before(settings, prepared, plan, recording.rate_hz);
     TRY(before ? before(prepared, analysis) : Status());
-    const auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
-                                               analysis.timing.threads, sink, job));
+    auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
+                                         analysis.timing.threads, sink, job));
+    TRY(look_inside(prepared, plan, settings, recording.rate_hz, job, estimation.moving));
     add_estimation(estimation, prepared.check->finish(), prepared.filter_reach, analysis);
     TRY(add_other_carrier(recording, settings, *prepared.check, job, analysis));
     return analysis;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace vybeg {
 namespace {
@@ -142,6 +143,37 @@ bool MotionMarker::bends(const Row& before, const Row& at, const Row& after) con
            beyond(forward - back, &Row::var_two_theta_A, 1) ||
            beyond(second(&Row::f_hz), &Row::var_f, at.f_hz) ||
            std::abs(forward + back) > 2 * quarter * lengths_apart_;
+}
+
+bool MotionMarker::bends_inside(const Row& window, const Track& parts) {
+    constexpr double seldom = 3.5;  // of a few windows, as `rare` of many
+    const auto count = static_cast<double>(parts.rows());
+    // By the parabola of least squares through the parts, x'' T^2/24 is the mean with the weights
+    // u^2 - <u^2>, u from -1/2 to 1/2, over 12 times the sum of their squares.
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < parts.rows(); ++k) {
+        const double u = (static_cast<double>(k) + 0.5) / count - 0.5;
+        weights.push_back(u * u - (1 - 1 / (count * count)) / 12);
+    }
+    const double squares = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.);
+    const auto beyond = [&](double Row::*value, double Row::*variance, double scale) {
+        double bias = 0;
+        double noise = 0;
+        for (std::size_t k = 0; k < parts.rows(); ++k) {
+            const double share = weights[k] / (12 * squares);
+            const Row part = row_of(parts, k);
+            bias += share * part.*value;
+            noise += share * share * part.*variance;
+        }
+        return bias * bias > std::max(0.36 * window.*variance, seldom * seldom * noise) &&
+               std::abs(bias) > rounding * scale;
+    };
+    const auto angle = parts.values(SlowVariable::two_theta_A);
+    const double turn = (angle.back() - angle.front()) * count / (count - 1);
+    return beyond(&Row::a_A, &Row::var_a_A, window.a_A) ||
+           beyond(&Row::a_B, &Row::var_a_B, window.a_A) ||
+           beyond(&Row::two_theta_A, &Row::var_two_theta_A, 1) ||
+           beyond(&Row::f_hz, &Row::var_f, window.f_hz) || std::abs(turn) > quarter;
 }
 
 void MotionMarker::step_to(const Row& row) {

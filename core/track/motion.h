@@ -47,6 +47,9 @@ public:
         double var_a_A, var_a_B, var_two_theta_A, var_alpha, var_f;
     };
     static Row row_of(const Track& track, std::size_t k, double excess = 1);
+    // Whether the wave bends inside `window`, or turns by more than pi/4, by the rows of the equal
+    // parts that it is cut into: for windows without neighbours one window length before and after.
+    static bool bends_inside(const Row& window, const Track& parts);
     // Phase of `to` less that which the frequencies of both rows and the step of 2theta_A foretell,
     // rad; beyond pi/2 the step is of another branch. Nothing where they foretell no phase.
     static std::optional<double> phase_off(const Row& from, const Row& to, double seconds);

@@ -311,6 +311,57 @@ private slots:
         VYBEG_AT_MOST(moving, 1e-4 * static_cast<double>(analysis->track.rows()) + 3);
     }
 
+    // One window and two have no neighbours that show a bend.
+    void few_windows_are_flagged_where_the_wave_moves_inside() {
+        int steady = 0;
+        int steady_flagged = 0;
+        int flagged = 0;
+        double worst = 0;
+        for (const double split : {0.0, 0.01, 0.3}) {
+            for (const double tau_s : {1e300, 400.0, 20.0}) {
+                for (const int windows : {1, 2}) {
+                    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+                        const FreeDecay wave{.seconds = 5,
+                                             .a_B = seed % 2 == 0 ? 0.1 : -0.1,
+                                             .two_theta_A = 0.8 * static_cast<double>(seed),
+                                             .split_hz = split,
+                                             .theta_w = 0.2,
+                                             .tau_s = tau_s,
+                                             .noise = seed > 4 ? 1e-2 : 1e-3,
+                                             .seed = seed};
+                        Settings settings;
+                        settings.window = 166000 / windows;
+                        const Result<Analysis> analysis =
+                            analyse(simulated_recording(wave), settings, {});
+                        const Result<Track> truth = true_track(wave, settings.window);
+                        QVERIFY(analysis && truth);
+                        const Track& track = analysis->track;
+                        VYBEG_EQUAL(track.rows(), static_cast<std::size_t>(windows));
+                        for (std::size_t k = 0; k < track.rows(); ++k) {
+                            const bool moves = has(track.flags()[k], Flag::moving);
+                            flagged += moves ? 1 : 0;
+                            if (split == 0 && tau_s > 1000) {
+                                steady += 1;
+                                steady_flagged += moves ? 1 : 0;
+                            }
+                            for (const SlowVariable variable : variables_with_sd) {
+                                const double off = error_of(track, *truth, variable, k, k);
+                                worst =
+                                    moves ? worst
+                                          : std::max(worst, std::abs(off) / track.sds(variable)[k]);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        qInfo("%d flagged, of %d steady ones %d, worst pull of the others %.1f", flagged, steady,
+              steady_flagged, worst);
+        VYBEG_EQUAL(steady_flagged, 0);
+        VYBEG_AT_LEAST(flagged, 50);
+        VYBEG_AT_MOST(worst, 4.5);
+    }
+
     void a_knock_is_flagged_data() {
         QTest::addColumn<int>("n");
         for (const int n : {6, 60, 600, 6000}) {

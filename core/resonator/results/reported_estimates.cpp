@@ -33,7 +33,7 @@ constexpr double narrowed = 0.1;  // of a channel's tolerance
 constexpr double limit_sd = 2;
 // Least size of a dependence on the amplitude, in its uncertainties.
 constexpr double claimed_u = 3;
-constexpr double vector_needs_in_u = 5;  // of its errors by the tolerances
+constexpr double vector_needs_in_u = 5;  // of its errors by tolerances and spread
 constexpr double any_axis_rad =
     pi / 4 / std::numbers::sqrt3;  // deviation of any axis in 90 degrees
 constexpr double much_turned_deg = 22.5;
@@ -135,16 +135,16 @@ private:
                           .eigenvalues()[1]);
         const double by_errors = set_.moved.middleRows(p_.place_of(first), 2).norm();
         const double by_spread = set_.scattered.middleRows(p_.place_of(first), 2).norm();
+        const double unseen_errors = std::hypot(by_errors, by_spread);
         const Reason within{
             ReasonCode::within_noise,
-            {number_arg(length + limit_sd * std::hypot(most, by_errors, by_spread), 3),
-             unit_arg(unit)}};
+            {number_arg(length + limit_sd * std::hypot(most, unseen_errors), 3), unit_arg(unit)}};
         size_out = length < set_.split_needs * most ? Estimate{.reason = within} : number(size);
         axis_out = length < std::max(axis_needs, set_.split_needs) * most
                        ? Estimate{.reason = within}
                        : number(axis);
         // Errors as large as the vector leave any axis.
-        if (axis_out.given() && length < vector_needs_in_u * by_errors) {
+        if (axis_out.given() && length < vector_needs_in_u * unseen_errors) {
             axis_out.u = std::hypot(axis_out.sd, any_axis_rad);
         }
     }

@@ -98,14 +98,14 @@ OpenedBreaks with_breaks(const std::vector<PhasorRun>& good, const SetFit& close
     return most || opened.set->is_white() ? std::move(opened) : OpenedBreaks{};
 }
 
-// Breaks that the suspects of a set show alone, in the runs as well: a large one makes a run
-// foreign to its set, whose fit then does not see it. Without suspects, those of all runs of a
-// small set.
+// Breaks that each run of a set shows alone, in the runs as well: a large one makes a run foreign
+// to its set, whose fit then does not see it, and one in each of two runs makes another one
+// foreign. Of a large set, those of the suspects.
 std::vector<FittedBreak> open_own_breaks(const SetExamination& examination,
                                          std::vector<PhasorRun>& runs, const FitTask& task) {
-    constexpr std::size_t small = 4;
+    constexpr std::size_t small = 8;
     std::vector<std::size_t> suspects = examination.foreign;
-    if (suspects.empty() && runs.size() <= small) {
+    if (runs.size() <= small) {
         suspects.resize(runs.size());
         std::iota(suspects.begin(), suspects.end(), std::size_t{0});
     }
