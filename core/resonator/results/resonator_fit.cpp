@@ -310,7 +310,7 @@ Result<ResonatorFit> fit_resonator(std::span<const PhasorRun> runs, const FitOpt
     const FitTask task{scale, by_usual ? usual : stated, job};
     std::vector<FittedBreak> breaks;
     std::vector<PhasorRun> unbroken = good;
-    if (!set->agrees()) {
+    if (set->examination().verdict != SetVerdict::fits) {
         breaks = open_own_breaks(set->examination(), good, task);
         if (!breaks.empty()) {
             set = solved_set(good, task);

@@ -218,6 +218,39 @@ private slots:
         }
     }
 
+    // No single recording makes the difference, and a third one may look foreign.
+    void an_event_in_each_of_two_recordings_is_found() {
+        std::uint64_t seed = 120;
+        for (const std::vector<double>& angles : {std::vector<double>{0, 22.5, 45, 67.5},
+                                                  {0, 22.5, 45, 67.5, 14.3},
+                                                  {5, 16, 27.5, 38, 50, 61, 72.5}}) {
+            for (const double size : {1e-3, 1e-2, 0.1}) {
+                FreeDecay gyro = reference();
+                gyro.split_hz = 1e-3;
+                gyro.theta_w = 0.3;
+                std::vector<PhasorRun> runs = set_of(gyro, angles, 500, ++seed);
+                FreeDecay own = gyro;
+                own.two_theta_A = 2 * angles[2] * pi / 180;
+                const Eigen::Vector2cd change(size * std::polar(0.6, 1.0),
+                                              size * std::polar(0.8, 2.3));
+                knock_at(runs[2], own, 9.1, 0.013 * (1 - 0.8 * 2), change);
+                gains_at(runs[0], 15, size, size / 2);
+                const ResonatorFit fit = fitted(runs);
+                const QString what = QString("%1 runs, size %2: chi^2/dof %3")
+                                         .arg(runs.size())
+                                         .arg(size)
+                                         .arg(fit.chi2_per_dof);
+                QVERIFY2(!fit.left_out, qPrintable(what));
+                QVERIFY2(warns(fit, DiagnosticKind::fitted_knock), qPrintable(what));
+                QVERIFY2(warns(fit, DiagnosticKind::fitted_gain_step), qPrintable(what));
+                VYBEG_EQUAL(fit.breaks.size(), 2, qPrintable(what));
+                VYBEG_LESS(fit.chi2_per_dof, 1.2, qPrintable(what));
+                VYBEG_NEAR(fit.resonator.split_hz, gyro.split_hz, 4.5, 1e-6);
+                VYBEG_NEAR(fit.resonator.tau_s, 400, 4.5, 1);
+            }
+        }
+    }
+
     void a_knock_is_found_and_the_numbers_are_right() {
         std::uint64_t seed = 60;
         for (const double size : {1e-3, 1e-2, 0.1, 0.5}) {
