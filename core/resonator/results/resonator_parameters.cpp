@@ -45,8 +45,8 @@ double greatest_of(const Estimate& size) {
 Conformity conformity(const Estimate& estimate, const ParameterLimit& limit) {
     const double half = coverage_factor * estimate.uncertainty();
     const double bound = greatest_of(estimate);
-    const double least = std::isnan(bound) ? estimate.value - half : 0;
-    const double most = std::isnan(bound) ? estimate.value + half : bound;
+    const double least = estimate.given() ? estimate.value - half : 0;
+    const double most = estimate.given() ? estimate.value + half : bound;
     if (!(least <= most)) {
         return Conformity::unknown;
     }
