@@ -179,6 +179,11 @@ private slots:
             const QString last =
                 QString(russian ? "Страница %1 из %1" : "Page %1 of %1").arg(pages);
             QVERIFY2(text.contains(last), qPrintable(last));
+            // Reports have the angle of files, whichever the window shows.
+            content.units.wave_angle = WaveAngle::about_zero;
+            write({content}, path);
+            QCOMPARE(textOf(path), text);
+            content.units.wave_angle = WaveAngle::doubled;
         }
     }
 
