@@ -259,6 +259,7 @@ int QuantityTable::widthOf(int row, int column, const QString& text) const {
 void QuantityTable::alignDecimals() {
     for (int column = 1; column < columnCount(); ++column) {
         std::vector<std::optional<int>> widths;
+        widths.reserve(static_cast<std::size_t>(rowCount()));
         for (int row = 0; row < rowCount(); ++row) {
             widths.push_back(wholeWidth(item(row, column)->text(), fontMetrics()));
         }
