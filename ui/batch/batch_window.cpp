@@ -160,7 +160,7 @@ BatchWindow::BatchWindow(QWidget* parent)
       start_(withName(new QPushButton(this), "batchStart")),
       stop_(withName(new QPushButton(this), "batchStop")),
       bar_(new QProgressBar(this)),
-      progressText_(withName(new QLabel(this), "batchProgress")),
+      progress_text_(withName(new QLabel(this), "batchProgress")),
       message_(new BatchMessage(this)),
       table_(withName(new QTableView(this), "batchTable")),
       details_(withName(new QPlainTextEdit(this), "batchDetails")),
@@ -175,7 +175,7 @@ BatchWindow::BatchWindow(QWidget* parent)
     details_->setTabChangesFocus(true);
     details_->setFixedHeight(lines_of_details * details_->fontMetrics().lineSpacing() +
                              2 * details_->frameWidth() + 8);
-    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {progressText_, 1}});
+    auto* row = fill(new QHBoxLayout, {start_, stop_, bar_, {progress_text_, 1}});
     fill(new QVBoxLayout(this), {form_, row, message_, {table_, 1}, details_});
     tick_.setInterval(tick_ms);
     connect(&tick_, &QTimer::timeout, this, &BatchWindow::showProgress);
@@ -370,7 +370,7 @@ void BatchWindow::showProgress() {
     } else if (running() && left) {
         parts << tr("%1 left").arg(durationText(*left));
     }
-    progressText_->setText(parts.join(QStringLiteral("; ")));
+    progress_text_->setText(parts.join(QStringLiteral("; ")));
 }
 
 void BatchWindow::showColumns() {

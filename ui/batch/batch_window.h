@@ -134,7 +134,7 @@ private:
     QPushButton* start_;
     QPushButton* stop_;
     QProgressBar* bar_;
-    QLabel* progressText_;
+    QLabel* progress_text_;
     BatchMessage* message_;
     QTableView* table_;
     QPlainTextEdit* details_;
