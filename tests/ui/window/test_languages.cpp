@@ -22,6 +22,7 @@
 #include <QTableWidget>
 #include <QTest>
 #include <QTextDocumentFragment>
+#include <QTreeWidget>
 #include <QXmlStreamReader>
 
 #include <set>
