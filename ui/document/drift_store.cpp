@@ -54,9 +54,8 @@ void DriftStore::startWith(DriftInput input) {
     }
 }
 
-void DriftStore::step(UndoSteps::Words words, const DriftInput& after) {
-    steps_.change(std::move(words), input_, after,
-                  [this](const DriftInput& input) { restore(input); });
+void DriftStore::step(const UndoSteps::Words& words, const DriftInput& after) {
+    steps_.change(words, input_, after, [this](const DriftInput& input) { restore(input); });
 }
 
 void DriftStore::restore(DriftInput input) {

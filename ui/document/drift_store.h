@@ -53,7 +53,7 @@ signals:
     void settled(Topic topic);
 
 private:
-    void step(UndoSteps::Words words, const DriftInput& after);
+    void step(const UndoSteps::Words& words, const DriftInput& after);
     void restore(DriftInput input);
     void compute();
     void take(Result<DriftOutcome>&& result);

@@ -93,12 +93,11 @@ void DossierModel::setLimits(const std::vector<ParameterLimit>& limits) {
     set([] { return tr("limits of the parameters"); }, dossier);
 }
 
-void DossierModel::set(UndoSteps::Words words, const Dossier& dossier) {
+void DossierModel::set(const UndoSteps::Words& words, const Dossier& dossier) {
     if (dossier == dossier_) {
         return;
     }
-    steps_.change(std::move(words), dossier_, dossier,
-                  [this](const Dossier& to) { startWith(to); });
+    steps_.change(words, dossier_, dossier, [this](const Dossier& to) { startWith(to); });
 }
 
 void DossierModel::startWith(const Dossier& dossier) {

@@ -110,7 +110,7 @@ signals:
     void changed();
 
 private:
-    void set(UndoSteps::Words words, const Dossier& dossier);
+    void set(const UndoSteps::Words& words, const Dossier& dossier);
 
     UndoSteps& steps_;
     Dossier dossier_;

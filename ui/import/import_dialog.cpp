@@ -260,7 +260,7 @@ QString importKind(const QString& path, const RecordingPreview& preview, bool ra
 }
 
 std::optional<OpenOptions> rememberedImport(const QString& kind) {
-    for (const QJsonValue& each : imports()) {
+    for (const auto& each : imports()) {
         if (each[kind_key].toString() == kind) {
             return optionsFromJson(each[options_key].toObject());
         }
@@ -270,7 +270,7 @@ std::optional<OpenOptions> rememberedImport(const QString& kind) {
 
 void rememberImport(const QString& kind, const OpenOptions& options) {
     QJsonArray kept{QJsonObject{{kind_key, kind}, {options_key, optionsToJson(options)}}};
-    for (const QJsonValue& each : imports()) {
+    for (const auto& each : imports()) {
         if (each[kind_key].toString() != kind && kept.size() < most_kinds) {
             kept.append(each);
         }
