@@ -70,30 +70,32 @@ void add_estimation(const EstimationSummary& estimation, const SampleFaults& fau
     analysis.timing.estimate_s = estimation.estimate_s;
 }
 
-// Few windows have no neighbours a window length before and after that show a motion inside: the
-// parts of the first and of the last one do.
-Status look_inside(const ConditionedRecording& prepared, const WindowPlan& plan,
+// Whether no window has neighbours a window length before and after, which show a motion inside.
+bool are_few(const WindowPlan& plan) {
+    return (plan.count - 1) * plan.hop < 2 * plan.length;
+}
+
+// Of few windows, with their rows, the parts of the first and of the last one show it.
+Status look_inside(const ConditionedRecording& prepared, const WindowPlan& plan, const Track& rows,
                    const Settings& settings, double rate_hz, const JobControl& job,
                    std::vector<FlaggedRows>& moving) {
     constexpr std::int64_t parts = 9;
     const std::int64_t length = plan.length / parts;
-    if ((plan.count - 1) * plan.hop >= 2 * plan.length ||
-        length < 4 * least_window(prepared.f0_hz, rate_hz)) {
+    if (length < 4 * least_window(prepared.f0_hz, rate_hz)) {
         return {};
     }
     const ConditionedRecording again = prepared.past_check();
     Settings own = settings;
     own.initial.reset();
-    for (const std::int64_t window : {std::int64_t{0}, plan.count - 1}) {
-        const std::int64_t first = plan.start(window);
-        Track whole;
+    for (std::int64_t window = 0; window < plan.count;
+         window += std::max<std::int64_t>(plan.count - 1, 1)) {
         Track cut;
-        TRY(estimate_track(again, {first, plan.length, plan.hop, 1}, own, rate_hz, 1,
-                           appended_to(whole), job.silent()));
-        TRY(estimate_track(again, {first, length, length, parts}, own, rate_hz, 1, appended_to(cut),
-                           job.silent()));
-        if (MotionMarker::bends_inside(MotionMarker::row_of(whole, 0), cut)) {
-            moving = {{0, static_cast<std::size_t>(plan.count), Flag::moving}};
+        TRY(estimate_track(again, {plan.start(window), length, length, parts}, own, rate_hz, 1,
+                           appended_to(cut), job.silent()));
+        const auto row = MotionMarker::row_of(rows, static_cast<std::size_t>(window));
+        if (MotionMarker::bends_inside(row, cut)) {
+            moving = {{0, rows.rows(), Flag::moving}};
+            break;
         }
     }
     return {};
@@ -281,9 +283,17 @@ Result<AnalysisSummary> analyse(const Recording& recording, const Settings& sett
     const auto plan = TRY(plan_of(settings, prepared, recording));
     AnalysisSummary analysis = summary_before(settings, prepared, plan, recording.rate_hz);
     TRY(before ? before(prepared, analysis) : Status());
+    const bool few = are_few(plan);
+    Track rows;
+    const TrackSink kept = [&](const Track& next) -> Status {
+        rows.append(next);
+        return sink(next);
+    };
     auto estimation = TRY(estimate_track(prepared, plan, settings, recording.rate_hz,
-                                         analysis.timing.threads, sink, job));
-    TRY(look_inside(prepared, plan, settings, recording.rate_hz, job, estimation.moving));
+                                         analysis.timing.threads, few ? kept : sink, job));
+    if (few) {
+        TRY(look_inside(prepared, plan, rows, settings, recording.rate_hz, job, estimation.moving));
+    }
     add_estimation(estimation, prepared.check->finish(), prepared.filter_reach, analysis);
     TRY(add_other_carrier(recording, settings, *prepared.check, job, analysis));
     return analysis;
